@@ -29,6 +29,8 @@ class ArrayLiteral {
   /// for four bytes, which PostgreSQL refuses, is 0.
   void add_real_list(std::span<const std::optional<double>> values);
 
+  [[nodiscard]] bool empty() const { return elements_.empty(); }
+
   /// "{...}"; the object can still be added to.
   [[nodiscard]] std::string text() const { return "{" + elements_ + "}"; }
 

@@ -92,8 +92,10 @@ void PlantWatch::run(const std::stop_token& stop) {
     const std::chrono::duration<double> pause(look(*in_force));
     lock.lock();
     // What failed under other settings may go well under these.
-    if (changed_.wait_for(lock, stop, pause, [&] { return settings_ != in_force; }))
+    if (changed_.wait_for(lock, stop, pause, [&] { return settings_ != in_force; })) {
       next_round_ = {};
+      rounds_.reset();
+    }
   }
 }
 
@@ -126,26 +128,34 @@ double PlantWatch::look(const config::Settings& settings) {
   return pause_s;
 }
 
+void PlantWatch::connect(const config::Settings& settings) {
+  if (rounds_ && rounds_->answers()) return;
+  rounds_.emplace(results_connection(settings), tools_.clocks.check());
+}
+
 double PlantWatch::look_at_plant(const config::Settings& settings) {
   const config::PlantSettings& plant = settings.plant;
   double pause_s = kLookAgain_s;
   if (plant.round_s <= 0.0 && plant.notice_s <= 0.0) return pause_s;
-  std::optional<storage::PlantRounds> rounds;
-  bool well = goes_well(tools_.faults, kRoundSubject, [&] {
-    rounds.emplace(results_connection(settings), tools_.clocks.check());
-  });
-  if (!well) return settings.schedule.poll_s;
+  bool well = goes_well(tools_.faults, kRoundSubject, [&] { connect(settings); });
+  if (!well) {
+    rounds_.reset();
+    return settings.schedule.poll_s;
+  }
   if (plant.round_s > 0.0) {
-    const auto wait_s = compare(*rounds, settings);
+    const auto wait_s = compare(*rounds_, settings);
     well = wait_s.has_value();
     pause_s = std::min(pause_s, wait_s.value_or(kLookAgain_s));
   }
   if (plant.notice_s > 0.0) {
     // Whatever became of the round: the loops of a historian that answers are flagged meanwhile.
-    well &= goes_well(tools_.faults, kRoundSubject, [&] { announce(*rounds); });
+    well &= goes_well(tools_.faults, kRoundSubject, [&] { announce(*rounds_); });
     pause_s = std::min(pause_s, plant.notice_s);
   }
-  if (well) tools_.faults.recovered(kRoundSubject);
+  if (well)
+    tools_.faults.recovered(kRoundSubject);
+  else
+    rounds_.reset();
   return pause_s;
 }
 

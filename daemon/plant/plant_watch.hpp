@@ -35,15 +35,19 @@ class PlantWatch {
   double look(const config::Settings& settings);
   /// The comparison and the notices, as far as the settings want them.
   double look_at_plant(const config::Settings& settings);
+  /// One connection for all looks: to plan what is asked of all loops takes a new one several times
+  /// as long (storage/MEASURED.md).
+  void connect(const config::Settings& settings);
   /// Compares when it is time; seconds until it will be, nullopt = it failed, now or lately.
   std::optional<double> compare(storage::PlantRounds& rounds, const config::Settings& settings);
   /// Says who has the turn when it has been another's at many looks in a row.
   void count_refusal(const std::string& holder);
 
   SharedServices& tools_;
-  Clock::time_point next_round_{};  ///< not before; of the thread
-  int refusals_ = 0;                ///< looks in a row at which another had the turn; of the thread
-  std::mutex mutex_;                ///< over settings_
+  std::optional<storage::PlantRounds> rounds_;  ///< until a look fails; of the thread
+  Clock::time_point next_round_{};              ///< not before; of the thread
+  int refusals_ = 0;  ///< looks in a row at which another had the turn; of the thread
+  std::mutex mutex_;  ///< over settings_
   std::shared_ptr<const config::Settings> settings_;
   std::condition_variable_any changed_;
   std::jthread thread_;  // last: it ends before what it uses

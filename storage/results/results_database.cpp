@@ -10,11 +10,13 @@
 #include "storage/results/schema/schema_version.hpp"
 #include "storage/results/session/results_clock.hpp"
 #include "storage/results/session/session.hpp"
+#include "storage/timestamp.hpp"
 #include "storage/utf8.hpp"
 
 namespace loopscope::storage {
 namespace {
 
+// The bounds that all share are constants, so that other months are not even planned.
 const Statement kStoredDigests{"stored_digests", R"(
     SELECT wanted.loop_id, (extract(epoch FROM wanted.slot_end) * 1000000)::bigint AS slot_end_us,
            analysis.input_digest, analysis.usable, analysis.same_settings,
@@ -27,7 +29,9 @@ const Statement kStoredDigests{"stored_digests", R"(
       FROM loopscope.analysis AS stored
       WHERE stored.loop_id = wanted.loop_id AND stored.slot_end = wanted.slot_end
         AND stored.algorithm_revision = $3::integer
-      LIMIT 1) AS analysis)"};
+        AND stored.slot_end BETWEEN $5::timestamptz AND $6::timestamptz
+      LIMIT 1) AS analysis)",
+                               Rows::any, Kept::text};
 
 // A value that stands already is not written again: every new connection sets some, and would wait
 // for whoever holds their rows.
@@ -62,7 +66,8 @@ const Statement kNextDue{
     "  AND (visible_at, loop_id) > ((timestamptz 'epoch' + $1::bigint * interval '1 microsecond'), "
     "$2::bigint)"
     "  AND visible_at <= now() + $3::float8 * interval '1 second' "
-    "ORDER BY visible_at, loop_id LIMIT 1"};
+    "ORDER BY visible_at, loop_id LIMIT 1",
+    Rows::any, Kept::text};
 
 const Statement kSeeWorker{"see_worker", R"(
     INSERT INTO loopscope.worker AS kept (worker, program_version, algorithm_revision, held_loops,
@@ -141,14 +146,19 @@ std::vector<ClaimedLoop> ResultsDatabase::claim_past(
 std::vector<StoredDigest> ResultsDatabase::stored_digests(
     std::span<const std::pair<std::int64_t, std::int64_t>> loop_and_slot, int algorithm_revision,
     const std::string& settings_json) {
+  if (loop_and_slot.empty()) return {};
   ArrayLiteral loop_id, slot_end;
+  std::int64_t first_us = loop_and_slot.front().second, last_us = first_us;
   for (const auto& [loop, slot] : loop_and_slot) {
     loop_id.add_integer(loop);
     slot_end.add_time(slot);
+    first_us = std::min(first_us, slot);
+    last_us = std::max(last_us, slot);
   }
   const pqxx::result rows = impl_->session.transact([&](Transaction& transaction) {
-    return transaction.run(kStoredDigests, {loop_id.text(), slot_end.text(),
-                                            std::to_string(algorithm_revision), settings_json});
+    return transaction.run(kStoredDigests,
+                           {loop_id.text(), slot_end.text(), std::to_string(algorithm_revision),
+                            settings_json, timestamp_text(first_us), timestamp_text(last_us)});
   });
   std::vector<StoredDigest> digests;
   for (const pqxx::row& row : rows) {

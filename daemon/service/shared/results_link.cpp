@@ -29,8 +29,10 @@ bool ResultsLink::may_pass(const storage::DatabaseError& error) {
 }
 
 bool ResultsLink::is_stale(const storage::DatabaseError& error) {
-  // Class 42: the schema is not what it was. Who connects anew is told why.
-  return error.remedy() == storage::Remedy::reconnect || error.sqlstate().starts_with("42");
+  // Class 42: the schema is not what it was; 0A: what was kept of a statement no longer fits it.
+  // Who connects anew is told why.
+  return error.remedy() == storage::Remedy::reconnect || error.sqlstate().starts_with("42") ||
+         error.sqlstate().starts_with("0A");
 }
 
 double ResultsLink::patience_s(RetryLimit perseverance) const {

@@ -32,10 +32,11 @@ namespace {
   "(SELECT away.source <> ALL (" SOURCES \
   "::text[]) FROM loopscope.loop AS away WHERE away.loop_id = due.loop_id) "
 
-const Statement kClaimDue{"claim_due", LOOPSCOPE_CLAIM_DUE("")};
+const Statement kClaimDue{"claim_due", LOOPSCOPE_CLAIM_DUE(""), Rows::any, Kept::text};
 
 const Statement kClaimDueElsewhere{"claim_due_elsewhere",
-                                   LOOPSCOPE_CLAIM_DUE("AND " LOOPSCOPE_ELSEWHERE("$6"))};
+                                   LOOPSCOPE_CLAIM_DUE("AND " LOOPSCOPE_ELSEWHERE("$6")), Rows::any,
+                                   Kept::text};
 
 // No more than what a batch's share has to be known of; sources that are away are counted too.
 const Statement kCountDue{"count_due",
@@ -44,7 +45,7 @@ const Statement kCountDue{"count_due",
                           "  AND due.visible_at >= " LOOPSCOPE_TIME("$1")
                           "  AND (due.visible_at, due.loop_id) > (" LOOPSCOPE_TIME("$1") ", $2::bigint)"
                           "  AND NOT (" LOOPSCOPE_SUSPECT ") LIMIT $3::bigint) AS counted",
-                          Rows::one};
+                          Rows::one, Kept::text};
 
 // Seconds as the server counts them: what the way there takes says nothing of dead entries. What is
 // locked is being claimed, or would not be claimed.
@@ -61,7 +62,7 @@ const Statement kOldestDue{
     "    AND NOT (" LOOPSCOPE_SUSPECT ") AND " LOOPSCOPE_ELSEWHERE("$4")
     "  ORDER BY due.visible_at, due.loop_id LIMIT 1 FOR UPDATE OF due SKIP LOCKED"
     ") AS oldest ON true",
-    Rows::one};
+    Rows::one, Kept::plan};
 
 // Few loops have lost two leases, and they have an index of their own (schedule_suspect).
 const Statement kClaimSuspect{
@@ -85,12 +86,20 @@ const Statement kRestSuspects{"rest_suspects", R"(
       FOR UPDATE SKIP LOCKED)))",
                               Rows::none};
 
+// What both statements of a claim of suspects look for, at the price of neither.
+const Statement kSuspectsDue{"suspects_due",
+                             "SELECT EXISTS (SELECT FROM loopscope.schedule AS due WHERE "
+                             "due.enabled AND due.lost_leases >= 2 AND due.visible_at <= now())",
+                             Rows::one};
+
 const Statement kClaimNext{
-    "claim_next", LOOPSCOPE_CLAIM("FROM loopscope.loop" LOOPSCOPE_NEWEST_SCHEDULE(
-                      "loop.loop_id") "WHERE due.enabled AND loop.loop_id > $4::bigint"
-                                      "  AND (due.owner IS NULL OR due.visible_at <= now())"
-                                      "  AND NOT (" LOOPSCOPE_SUSPECT ") "
-                                      "ORDER BY loop.loop_id LIMIT $3::bigint")};
+    "claim_next",
+    LOOPSCOPE_CLAIM("FROM loopscope.loop" LOOPSCOPE_NEWEST_SCHEDULE(
+        "loop.loop_id") "WHERE due.enabled AND loop.loop_id > $4::bigint"
+                        "  AND (due.owner IS NULL OR due.visible_at <= now())"
+                        "  AND NOT (" LOOPSCOPE_SUSPECT ") "
+                        "ORDER BY loop.loop_id LIMIT $3::bigint"),
+    Rows::any, Kept::text};
 
 /// Seconds of the server's. With nothing dead in the way all of time takes some milliseconds.
 constexpr double kPatience_s = 0.03;
@@ -117,14 +126,16 @@ struct Found {
   DuePlace last;
 };
 
-/// How many loops the claim takes.
+/// How many loops the claim takes; 0 where none is due, so that a worker without work asks for no
+/// more than their number.
 int size_of(Transaction& transaction, const DueClaim& claim, const DuePlace& from) {
   if (claim.sharers <= 1) return claim.limit;
   const auto counted = static_cast<std::size_t>(claim.limit) * claim.sharers;
   const pqxx::row row = transaction.run(
       kCountDue,
       {std::to_string(from.due_us), std::to_string(from.loop_id), std::to_string(counted)})[0];
-  return batch_share(row["due"].as<std::size_t>(), claim.limit, claim.sharers);
+  const auto due = row["due"].as<std::size_t>();
+  return due == 0 ? 0 : batch_share(due, claim.limit, claim.sharers);
 }
 
 Found claim_from_watermark(Transaction& transaction, std::int64_t now_us, const DueClaim& claim,
@@ -132,6 +143,10 @@ Found claim_from_watermark(Transaction& transaction, std::int64_t now_us, const 
   const ClaimWatermark::Start start = watermark.start(now_us);
   Found found{start, {}, start.place};
   const int size = size_of(transaction, claim, start.place);
+  if (size == 0) {
+    found.last = behind(now_us);
+    return found;
+  }
   std::vector<std::string> parameters{
       make_storable(claim.owner), number_text(claim.lease_s), std::to_string(size),
       std::to_string(found.start.place.due_us), std::to_string(found.start.place.loop_id)};
@@ -189,6 +204,7 @@ std::vector<ClaimedLoop> claim_due(Session& session, const ClockCheck& check, co
 std::vector<ClaimedLoop> claim_suspect(Session& session, const ClockCheck& check,
                                        const std::string& owner, double lease_s) {
   return read_claims(transact_in_time(session, check, [&](Transaction& transaction) {
+    if (!transaction.run(kSuspectsDue)[0][0].as<bool>()) return pqxx::result();
     transaction.run(kRestSuspects);
     return transaction.run(kClaimSuspect, {make_storable(owner), number_text(lease_s)});
   }));

@@ -32,7 +32,8 @@ const Statement kComplete{"complete", R"(
                 $6::float8[], $7::float8[])
       AS done (loop_id, fence, slot_end, next_due, has_record, pv_flat_s, pv_step)
     WHERE s.loop_id = done.loop_id AND s.fence = done.fence AND done.slot_end <= now()
-    RETURNING s.loop_id)"};
+    RETURNING s.loop_id)",
+                          Rows::any, Kept::text};
 
 // A repeat finds no owner and counts no second failure. The worker lived to tell: no lease is lost.
 const Statement kSetAside{"set_aside", R"(

@@ -78,7 +78,8 @@ const Statement kFindStray{"find_stray", R"(
             FROM loopscope.verdict
             WHERE stray.has_future_slot AND verdict.loop_id = stray.loop_id
               AND verdict.slot_end <= now()) AS slot_end_us
-    FROM stray)"};
+    FROM stray)",
+                           Rows::any, Kept::text};
 
 // Apart from the look, so that a plan with few rows is made for few rows. Whoever holds one of them
 // gives it back himself; to wait for him could end in a deadlock.

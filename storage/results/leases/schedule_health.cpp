@@ -64,7 +64,7 @@ const Statement kScheduleHealth{"schedule_health", R"(
       WHERE parent.relnamespace = 'loopscope'::regnamespace AND parent.relkind = 'p'
         AND child.relname ~ '_[0-9]{4}_[0-9]{2}$'
     ) AS oldest)",
-                                Rows::one};
+                                Rows::one, Kept::text};
 
 }  // namespace
 

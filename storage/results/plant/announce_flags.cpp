@@ -16,26 +16,7 @@ const Statement kLockFlags{"lock_flags", R"(
 // because no character takes more than six bytes in JSON.
 const Statement kAnnounceFlags{"announce_flags", R"(
     WITH list AS MATERIALIZED (SELECT * FROM loopscope.flagged_loop),
-    gone AS (
-      UPDATE loopscope.flag_notice AS notice SET ended_at = now(), ended_by = why.word
-      FROM (
-        SELECT standing.flag_notice_id,
-               CASE WHEN NOT loop.enabled THEN 'disabled'
-                    WHEN bool_or(hidden.annotation_id IS NOT NULL) THEN 'annotation'
-                    WHEN bool_or(hidden.hidden_by = 'victim') THEN 'plant'
-                    WHEN latest.code = 'not_controlling' THEN 'state'
-                    WHEN latest.code = 'healthy' THEN 'verdict'
-                    ELSE 'threshold' END AS word
-        FROM loopscope.flag_notice AS standing
-        JOIN loopscope.loop USING (loop_id)
-        LEFT JOIN loopscope.own_verdict AS latest USING (loop_id)
-        LEFT JOIN loopscope.hidden_loop AS hidden USING (loop_id)
-        WHERE standing.ended_at IS NULL
-          AND standing.loop_id NOT IN (SELECT loop_id FROM list)
-        GROUP BY standing.flag_notice_id, loop.enabled, latest.code) AS why
-      WHERE notice.flag_notice_id = why.flag_notice_id
-      RETURNING notice.loop_id, notice.code
-    ), firm AS (
+    firm AS (
       UPDATE loopscope.flag_notice AS notice SET status = 'confirmed', confirmed_at = now()
       FROM list
       WHERE notice.loop_id = list.loop_id AND notice.ended_at IS NULL
@@ -63,9 +44,9 @@ const Statement kAnnounceFlags{"announce_flags", R"(
       UNION ALL SELECT 'confirmed', loop_id, code, true FROM firm
     )
     -- A program of before may have noted two stays of one loop.
-    SELECT DISTINCT told.change, told.announced, list.loop_id, list.loop_name, list.code,
-           list.confidence, list.rank, list.score, list.status, list.summary,
-           CASE WHEN told.announced THEN message.text END AS message
+    SELECT DISTINCT told.change, told.announced, 0::bigint AS flag_notice_id, list.loop_id,
+           list.loop_name, list.code, list.confidence, list.rank, list.score, list.status,
+           list.summary, CASE WHEN told.announced THEN message.text END AS message
     FROM told
     JOIN list USING (loop_id, code)
     CROSS JOIN LATERAL (
@@ -87,8 +68,31 @@ const Statement kAnnounceFlags{"announce_flags", R"(
       ORDER BY room.name DESC
       LIMIT 1) AS message
     UNION ALL
-    SELECT 'ended', false, loop_id, '', code, 0, 0, 0, '', '', NULL FROM gone
-    ORDER BY 7)"};
+    SELECT 'ended', false, flag_notice_id, loop_id, '', code, 0, 0, 0, '', '', NULL
+    FROM loopscope.flag_notice
+    WHERE ended_at IS NULL AND loop_id NOT IN (SELECT loop_id FROM list)
+    ORDER BY 8)"};
+
+// Why a stay has ended is asked for those that have: what hides loops is dear to ask for, and at
+// most looks none has ended.
+const Statement kEndStays{"end_stays", R"(
+    UPDATE loopscope.flag_notice AS notice SET ended_at = now(), ended_by = why.word
+    FROM (
+      SELECT standing.flag_notice_id,
+             CASE WHEN NOT loop.enabled THEN 'disabled'
+                  WHEN bool_or(hidden.annotation_id IS NOT NULL) THEN 'annotation'
+                  WHEN bool_or(hidden.hidden_by = 'victim') THEN 'plant'
+                  WHEN latest.code = 'not_controlling' THEN 'state'
+                  WHEN latest.code = 'healthy' THEN 'verdict'
+                  ELSE 'threshold' END AS word
+      FROM loopscope.flag_notice AS standing
+      JOIN loopscope.loop USING (loop_id)
+      LEFT JOIN loopscope.own_verdict AS latest USING (loop_id)
+      LEFT JOIN loopscope.hidden_loop AS hidden USING (loop_id)
+      WHERE standing.flag_notice_id = ANY ($1::bigint[]) AND standing.ended_at IS NULL
+      GROUP BY standing.flag_notice_id, loop.enabled, latest.code) AS why
+    WHERE notice.flag_notice_id = why.flag_notice_id)",
+                          Rows::none};
 
 const Statement kTellListeners{"tell_listeners", R"(
     SELECT pg_notify('loopscope_' || told.change, told.message)
@@ -110,9 +114,11 @@ FlagAnnouncement note_flags(Transaction& transaction) {
   // A statement of its own: the next one then sees what the row's former holder has committed.
   transaction.run(kLockFlags);
   FlagAnnouncement announcement;
+  ArrayLiteral ended;
   for (const pqxx::row& row : transaction.run(kAnnounceFlags)) {
     const std::string change = row["change"].c_str();
     if (change == "ended") {
+      ended.add_integer(row["flag_notice_id"].as<std::int64_t>());
       ++announcement.ended;
       continue;
     }
@@ -121,6 +127,7 @@ FlagAnnouncement note_flags(Transaction& transaction) {
     if (!row["message"].is_null())
       announcement.messages.emplace_back(change, row["message"].c_str());
   }
+  if (!ended.empty()) transaction.run(kEndStays, {ended.text()});
   return announcement;
 }
 

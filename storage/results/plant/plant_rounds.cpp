@@ -71,6 +71,16 @@ PlantRounds::~PlantRounds() {
   }
 }
 
+bool PlantRounds::answers() {
+  try {
+    impl_->session.transact(transaction_clock);
+    return true;
+  } catch (const DatabaseError& error) {
+    if (error.remedy() != Remedy::reconnect) throw;
+    return false;
+  }
+}
+
 PlantTurn PlantRounds::take_turn(double every_s, const std::string& owner, double hold_s) {
   return transact_in_time(impl_->session, impl_->check, [&](Transaction& transaction) -> PlantTurn {
     // The turn comes first: whoever waited for it would see the round of the one before.

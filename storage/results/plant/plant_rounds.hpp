@@ -35,6 +35,9 @@ class PlantRounds {
   explicit PlantRounds(const ConnectionSettings& settings, ClockCheck check = {});
   ~PlantRounds();
 
+  /// Whether the connection still answers: one that has rested may have been ended.
+  [[nodiscard]] bool answers();
+
   /// Takes the turn for `owner` (host/pid) if a round is due, `every_s` after the last one was
   /// stored, and holds it for `hold_s`, 1 to 86400.
   [[nodiscard]] PlantTurn take_turn(double every_s, const std::string& owner, double hold_s);

@@ -3,7 +3,7 @@
 #include "storage/results/rows/loop_row.hpp"
 #include "storage/results/schema/schema_version.hpp"
 #include "storage/results/session/session.hpp"
-#include "storage/results/writes/analysis_columns.hpp"
+#include "storage/results/writes/analysis_statements.hpp"
 
 namespace loopscope::storage {
 namespace {

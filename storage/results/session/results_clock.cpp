@@ -6,7 +6,7 @@ namespace {
 const Statement kTransactionClock{"transaction_clock", R"(
     SELECT (extract(epoch FROM now()) * 1000000)::bigint AS now_us,
            (extract(epoch FROM pg_postmaster_start_time()) * 1000000)::bigint AS started_us)",
-                                  Rows::one};
+                                  Rows::one, Kept::text};
 
 const Statement kAcceptedClocks{"accepted_clocks",
                                 "SELECT clock, ahead_s FROM loopscope.accepted_clock"};

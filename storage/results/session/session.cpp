@@ -27,10 +27,26 @@ pqxx::result Transaction::run(const Statement& statement,
                               const std::vector<std::string>& parameters) {
   statement_ = statement.name;
   deadline_.restart();
-  const pqxx::result result =
-      work_.exec_params(statement.sql, pqxx::prepare::make_dynamic_params(parameters));
+  const pqxx::result result = execute(statement, parameters);
   check_rows(statement, result.size());
   return result;
+}
+
+pqxx::result Transaction::execute(const Statement& statement,
+                                  const std::vector<std::string>& parameters) {
+  const auto values = pqxx::prepare::make_dynamic_params(parameters);
+  if (statement.kept == Kept::nothing) return work_.exec_params(statement.sql, values);
+  keep_plans(statement.kept == Kept::plan);
+  work_.conn().prepare(statement.name, statement.sql);  // sent with its first use
+  return work_.exec_prepared(statement.name, values);
+}
+
+/// Until the transaction ends: what the session says of plans holds for all others.
+void Transaction::keep_plans(bool keep) {
+  if (keeps_plans_ == keep) return;
+  work_.exec(keep ? "SET LOCAL plan_cache_mode = force_generic_plan"
+                  : "SET LOCAL plan_cache_mode = force_custom_plan");
+  keeps_plans_ = keep;
 }
 
 void Transaction::run_script(const char* name, const char* sql) {

@@ -57,9 +57,13 @@ class Transaction {
   friend class Snapshot;
   Transaction(pqxx::transaction_base& work, std::string& statement, SocketDeadline& deadline)
       : work_(work), statement_(statement), deadline_(deadline) {}
+  pqxx::result execute(const Statement& statement, const std::vector<std::string>& parameters);
+  void keep_plans(bool keep);
+
   pqxx::transaction_base& work_;
   std::string& statement_;  // the session's, for the message should it fail
   SocketDeadline& deadline_;
+  bool keeps_plans_ = false;
 };
 
 /// One connection to the results database and the only place that knows libpqxx's exceptions.

@@ -1,27 +1,24 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include <span>
+#include <string_view>
 
+#include "storage/array_literal.hpp"
 #include "storage/loop_work.hpp"
-#include "storage/statement.hpp"
 
 namespace loopscope::storage {
 
-/// Inserts analysis rows, or updates those whose input has changed (another digest), and returns
-/// loop_id, slot_end_us, input_revision (1 = inserted) and analysis_id of what it wrote: nothing
-/// for a row that is stored already. Takes what analysis_parameters() makes.
-[[nodiscard]] const Statement& upsert_analyses();
+/// One column of loopscope.analysis: its name, the type of the array that carries it, the cast
+/// that it needs besides (text[] and jsonb travel as text), and what it holds of a loop, which has
+/// a record.
+struct AnalysisColumn {
+  std::string_view name;
+  std::string_view type;
+  void (*add)(ArrayLiteral&, const CompletedLoop&);
+  std::string_view cast{};
+};
 
-/// The measured columns of such rows as JSON objects, nothing stored: the same conversions without
-/// keys, provenance and durations. Takes the same parameters.
-[[nodiscard]] const Statement& measure_analyses();
-
-/// The SQL expression of that object for a row of loopscope.analysis that goes by the name `row`.
-[[nodiscard]] std::string measured_object(const std::string& row);
-
-/// One array per column, in the order that the statement expects; every loop has a record.
-[[nodiscard]] std::vector<std::string> analysis_parameters(
-    const std::vector<const CompletedLoop*>& loops);
+/// All that a record says, in the order of the statements (analysis_statements.hpp).
+[[nodiscard]] std::span<const AnalysisColumn> analysis_columns();
 
 }  // namespace loopscope::storage

@@ -10,8 +10,10 @@
 #include <utility>
 
 #include "core/diagnosis/odds/combined_odds.hpp"
+#include "core/signal/grid.hpp"
 #include "storage/array_literal.hpp"
 #include "storage/results/rows/loop_row.hpp"
+#include "storage/results/writes/loop_windows.hpp"
 #include "storage/statement.hpp"
 #include "storage/timestamp.hpp"
 
@@ -66,20 +68,6 @@ const Statement kSetCombined{"set_combined", R"(
           (row.evidence::real[], row.windows::real[], row.probabilities::real[]))",
                              Rows::none};
 
-/// The next slot begins with what is stored, four bytes each, whether it is reached in this
-/// transaction or in another.
-PerCause as_stored(PerCause values) {
-  for (std::optional<double>& value : values)
-    if (value) value = static_cast<double>(static_cast<float>(*value));
-  return values;
-}
-
-/// What the windows up to a slot say.
-struct Combined {
-  diagnosis::CombinedOdds odds;
-  PerCause probabilities;
-};
-
 /// Rows of analysis to write, an array for each column.
 struct CombinedRows {
   ArrayLiteral loop_id, slot_end, probabilities, evidence, windows;
@@ -96,36 +84,16 @@ struct CombinedRows {
   }
 };
 
-/// The slots of one loop, in their order.
-class LoopWindows {
- public:
-  void begin_with(const pqxx::row& row) {
-    combined_ = Combined{{row["end_s"].as<double>(), read_number_list(row["evidence"]),
-                          read_number_list(row["windows"])},
-                         read_number_list(row["probabilities"])};
-  }
+Combined stored_combination(const pqxx::row& row) {
+  return {{row["end_s"].as<double>(), read_number_list(row["evidence"]),
+           read_number_list(row["windows"])},
+          read_number_list(row["probabilities"])};
+}
 
-  /// Empty where the window could not be judged; as before where it holds nothing new.
-  Combined next(const pqxx::row& row, const PerCause& priors) {
-    const diagnosis::JudgedWindow window{row["start_s"].as<double>(), row["end_s"].as<double>(),
-                                         row["with_model"].as<bool>(),
-                                         read_number_list(row["evidence"])};
-    if (window.evidence.empty() || !(window.end_s > window.start_s)) return {};
-    if (combined_ && window.end_s <= combined_->odds.end_s) return *combined_;
-    const auto before = combined_ ? std::optional(combined_->odds) : std::nullopt;
-    diagnosis::CombinedOdds odds = diagnosis::combine(before, window);
-    odds.evidence = as_stored(std::move(odds.evidence));
-    odds.windows = as_stored(std::move(odds.windows));
-    PerCause probabilities = diagnosis::stands_alone(before, window)
-                                 ? read_number_list(row["probabilities"])
-                                 : diagnosis::probabilities_of(odds, priors);
-    combined_ = Combined{std::move(odds), std::move(probabilities)};
-    return *combined_;
-  }
-
- private:
-  std::optional<Combined> combined_;
-};
+diagnosis::JudgedWindow stored_window(const pqxx::row& row) {
+  return {row["start_s"].as<double>(), row["end_s"].as<double>(), row["with_model"].as<bool>(),
+          read_number_list(row["evidence"])};
+}
 
 pqxx::result windows_of(Transaction& transaction, int algorithm_revision,
                         const std::map<std::int64_t, ChangedSlots>& changed) {
@@ -144,6 +112,15 @@ pqxx::result windows_of(Transaction& transaction, int algorithm_revision,
 
 }  // namespace
 
+ChangedSlots changed_by(const AnalysisRecord& record) {
+  constexpr std::int64_t kLeast_us = 86'400'000'000;
+  const auto window_us =
+      static_cast<double>(std::max(kLeast_us, record.window_end_us - record.window_start_us));
+  return {
+      record.slot_end_us,
+      core::signal::moved_us(record.slot_end_us, -diagnosis::longest_memory_windows() * window_us)};
+}
+
 void write_combined(Transaction& transaction, int algorithm_revision,
                     const std::map<std::int64_t, ChangedSlots>& changed, const PerCause& priors) {
   if (changed.empty()) return;
@@ -152,9 +129,9 @@ void write_combined(Transaction& transaction, int algorithm_revision,
   for (const pqxx::row& row : windows_of(transaction, algorithm_revision, changed)) {
     LoopWindows& loop = loops[row["loop_id"].as<std::int64_t>()];
     if (row["is_before"].as<bool>())
-      loop.begin_with(row);
+      loop.begin_with(stored_combination(row));
     else
-      rows.add(row, loop.next(row, priors));
+      rows.add(row, loop.next(stored_window(row), read_number_list(row["probabilities"]), priors));
   }
   if (loops.empty()) return;
   transaction.run(kSetCombined,

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/diagnosis/verdicts/verdict.hpp"
+#include "storage/loop_work.hpp"
 #include "storage/results/session/session.hpp"
 
 namespace loopscope::storage {
@@ -13,6 +14,11 @@ struct ChangedSlots {
   std::int64_t first_us;     ///< end of the earliest of them
   std::int64_t earliest_us;  ///< slots before are forgotten (longest_memory_windows())
 };
+
+/// What a record that is written changes: its slot and those behind it. A record without rows has a
+/// window of no length: those behind it are combined anew all the same, by windows of at most a
+/// day.
+[[nodiscard]] ChangedSlots changed_by(const AnalysisRecord& record);
 
 /// Combines the odds of each loop's windows (core/diagnosis/odds/combined_odds) from the first
 /// changed slot on, by what is stored of them and of the combined one before: late data and a

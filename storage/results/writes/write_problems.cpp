@@ -25,7 +25,7 @@ const Statement kNoteProblems{"note_problems", R"(
       last_slot = EXCLUDED.last_slot, previous_slot = EXCLUDED.previous_slot,
       last_row = EXCLUDED.last_row, figure = EXCLUDED.figure
     WHERE kept.last_slot <= EXCLUDED.last_slot OR kept.last_slot > now())",
-                              Rows::none};
+                              Rows::none, Kept::plan};
 
 void add_time(ArrayLiteral& array, const std::optional<std::int64_t>& time_us) {
   time_us ? array.add_time(*time_us) : array.add_null();

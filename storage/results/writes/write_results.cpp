@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "core/diagnosis/odds/combined_odds.hpp"
-#include "core/signal/grid.hpp"
 #include "storage/array_literal.hpp"
-#include "storage/results/writes/analysis_columns.hpp"
+#include "storage/results/writes/analysis_statements.hpp"
+#include "storage/results/writes/combine_newest.hpp"
 #include "storage/results/writes/write_combined.hpp"
 
 namespace loopscope::storage {
@@ -29,14 +29,14 @@ const Statement kInsertVerdicts{"insert_verdicts", R"(
                 $11::text[], $12::text[], $13::text[])
       AS row (loop_id, slot_end, algorithm_revision, input_revision, analysis_id, code, confidence,
               p, summary, reasons, action, causes, evidence))",
-                                Rows::none};
+                                Rows::none, Kept::plan};
 
 const Statement kInsertPeaks{"insert_peaks", R"(
     INSERT INTO loopscope.bicoherence_peak (loop_id, slot_end, algorithm_revision, input_revision,
                                             rank, f1, f2, bic2, p)
     SELECT * FROM unnest($1::bigint[], $2::timestamptz[], $3::integer[], $4::integer[],
                          $5::integer[], $6::float8[], $7::float8[], $8::float8[], $9::float8[]))",
-                             Rows::none};
+                             Rows::none, Kept::plan};
 
 // Figures that are null in JSON become NULL; jsonb keeps every digit of the others.
 const Statement kInsertSteps{"insert_steps", R"(
@@ -54,24 +54,29 @@ const Statement kInsertSteps{"insert_steps", R"(
     FROM unnest($1::bigint[], $2::timestamptz[], $3::integer[], $4::integer[], $5::text[])
       AS row (loop_id, slot_end, algorithm_revision, input_revision, model)
     CROSS JOIN jsonb_array_elements(model::jsonb->'steps') WITH ORDINALITY AS s (taken, number))",
-                             Rows::none};
+                             Rows::none, Kept::plan};
 
 /// An analysis row that was written in this transaction.
 struct WrittenAnalysis {
   const CompletedLoop* loop = nullptr;
+  bool is_combined = false;
   std::int64_t input_revision = 0;
   std::int64_t analysis_id = 0;
 };
 
 std::vector<WrittenAnalysis> upsert(Transaction& transaction,
                                     const std::vector<const CompletedLoop*>& loops) {
-  std::map<std::pair<std::int64_t, std::int64_t>, const CompletedLoop*> by_key;
-  for (const CompletedLoop* loop : loops) by_key[{loop->loop_id, loop->record->slot_end_us}] = loop;
+  const std::vector<std::optional<Combined>> combined = combine_newest(transaction, loops);
+  std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> by_key;
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    by_key[{loops[i]->loop_id, loops[i]->record->slot_end_us}] = i;
   std::vector<WrittenAnalysis> written;
-  for (const pqxx::row& row : transaction.run(upsert_analyses(), analysis_parameters(loops))) {
-    written.push_back(
-        {by_key.at({row["loop_id"].as<std::int64_t>(), row["slot_end_us"].as<std::int64_t>()}),
-         row["input_revision"].as<std::int64_t>(), row["analysis_id"].as<std::int64_t>()});
+  for (const pqxx::row& row :
+       transaction.run(upsert_analyses(), upsert_parameters(loops, combined))) {
+    const std::size_t i =
+        by_key.at({row["loop_id"].as<std::int64_t>(), row["slot_end_us"].as<std::int64_t>()});
+    written.push_back({loops[i], combined[i].has_value(), row["input_revision"].as<std::int64_t>(),
+                       row["analysis_id"].as<std::int64_t>()});
   }
   return written;
 }
@@ -137,6 +142,7 @@ void insert_peaks(Transaction& transaction, const std::vector<WrittenAnalysis>& 
       p.add_number(peak.p);
     }
   }
+  if (rank.empty()) return;
   transaction.run(kInsertPeaks, {key.loop_id.text(), key.slot_end.text(),
                                  key.algorithm_revision.text(), key.input_revision.text(),
                                  rank.text(), f1.text(), f2.text(), bic2.text(), p.text()});
@@ -151,28 +157,19 @@ void insert_steps(Transaction& transaction, const std::vector<WrittenAnalysis>& 
     key.add(written);
     model.add_text(written.loop->record->model_json);
   }
+  if (model.empty()) return;
   transaction.run(kInsertSteps,
                   {key.loop_id.text(), key.slot_end.text(), key.algorithm_revision.text(),
                    key.input_revision.text(), model.text()});
 }
 
-/// Slots before are forgotten. A record without rows has a window of no length: those behind it
-/// are combined anew all the same, by windows of at most a day.
-ChangedSlots changed_by(const AnalysisRecord& record) {
-  constexpr std::int64_t kLeast_us = 86'400'000'000;
-  const auto window_us =
-      static_cast<double>(std::max(kLeast_us, record.window_end_us - record.window_start_us));
-  return {record.slot_end_us,
-          core::signal::moved_us(record.slot_end_us,
-                                 -core::diagnosis::longest_memory_windows() * window_us)};
-}
-
+/// What was not combined with its row: slots that others stand behind.
 void combine_windows(Transaction& transaction, const std::vector<WrittenAnalysis>& analyses) {
-  if (analyses.empty()) return;
   // All windows of a batch are judged by the same settings.
   const core::diagnosis::PerCause& priors = analyses.front().loop->record->diagnosis.verdict.priors;
   std::map<int, std::map<std::int64_t, ChangedSlots>> changed;  // by algorithm revision
   for (const WrittenAnalysis& written : analyses) {
+    if (written.is_combined) continue;
     const AnalysisRecord& record = *written.loop->record;
     const ChangedSlots own = changed_by(record);
     ChangedSlots& slots =

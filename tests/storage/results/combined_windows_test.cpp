@@ -216,6 +216,14 @@ TEST_F(CombinedWindowsTest, NothingNewChangesNothing) {
   EXPECT_EQ(rows[1][2], rows[0][2]);
 }
 
+/// A second version of each row would cost as much as the first one.
+TEST_F(CombinedWindowsTest, ANewestSlotIsWrittenOnce) {
+  add_loops({"a"});
+  for (const int hour : {1, 2, 3}) finish({hour, 0.4}, "d" + std::to_string(hour));
+  EXPECT_EQ(database->rows("SELECT ctid FROM loopscope.analysis ORDER BY slot_end"),
+            (TextRows{{"(0,1)"}, {"(0,2)"}, {"(0,3)"}}));
+}
+
 TEST_F(CombinedWindowsTest, AnotherRevisionBeginsAnew) {
   add_loops({"a"});
   finish({1, 0.9}, "d1");

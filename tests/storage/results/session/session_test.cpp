@@ -89,6 +89,30 @@ TEST_F(SessionTest, BrokenPromiseAboutRowsIsAnError) {
   EXPECT_THROW(session.transact([&](Transaction& t) { t.run(two); }), DatabaseError);
 }
 
+TEST_F(SessionTest, WhatIsKeptOfAStatementIsUsedAgain) {
+  Session session(settings_for(*database));
+  const Statement text{"text", "SELECT $1::integer", Rows::one, Kept::text};
+  const Statement plan{"plan", "SELECT $1::integer + 1", Rows::one, Kept::plan};
+  for (const char* value : {"1", "2"}) {
+    session.transact([&](Transaction& t) {
+      EXPECT_STREQ(t.run(text, {value})[0][0].c_str(), value);
+      EXPECT_EQ(t.run(plan, {value})[0][0].as<int>(), std::stoi(value) + 1);
+      EXPECT_STREQ(t.run(text, {value})[0][0].c_str(), value);
+    });
+  }
+  session.transact([](Transaction& t) {
+    const pqxx::result kept =
+        t.run({"kept",
+               "SELECT name, generic_plans > 0, custom_plans > 0 FROM pg_prepared_statements"
+               " WHERE name IN ('plan', 'text') ORDER BY name"});
+    ASSERT_EQ(kept.size(), 2u);
+    EXPECT_TRUE(kept[0][1].as<bool>());
+    EXPECT_FALSE(kept[0][2].as<bool>());
+    EXPECT_FALSE(kept[1][1].as<bool>());
+    EXPECT_TRUE(kept[1][2].as<bool>());
+  });
+}
+
 TEST_F(SessionTest, SerialisationFailureAsksForARetry) {
   database->execute(
       "CREATE TABLE counter (x int); INSERT INTO counter VALUES (0);"
