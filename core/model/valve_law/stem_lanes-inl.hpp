@@ -41,7 +41,9 @@ class StemLanes {
       while (k < op.size() && op[k] >= lowest_ && op[k] <= highest_) ++k;
       if (k > first) rest(op.subspan(first, k - first), places + first);
       if (k == op.size()) return;
-      for (Stems<Number>& stems : stems_) stems.template step<law>(op[k]);
+      constexpr std::size_t kTogether = count % 2 == 0 ? 2 : 1;
+      for (std::size_t i = 0; i < count; i += kTogether)
+        Stems<Number>::template step_together<law, kTogether>(&stems_[i], op[k]);
       keep();
       places[k++] = places_;
     }

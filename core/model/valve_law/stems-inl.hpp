@@ -84,16 +84,25 @@ class alignas(sizeof(Number)) Stems {
   /// The next sample of op; law `he` or `kano`.
   template <ValveLaw law>
   void step(Element next) {
+    step_together<law, 1>(this, next);
+  }
+
+  /// The same of `count` in a row. From look to look each of them waits for its place: together
+  /// they hide the time.
+  template <ValveLaw law, std::size_t count>
+  static void step_together(Stems* stems, Element next) {
     const Number op = Number{} + next;
-    const Mask rest = resting(op);
-    Number end = place_;
-    Mask settled = rest;
-    if constexpr (law == ValveLaw::kano) settled = Mask(rest | moving_all_along(op, end));
-    if (holds_for_all(settled)) {
-      pressure_ = built_up(op);
-      place_ = rest ? place_ : end;
-    } else {
-      look_again<law>(op, settled, rest ? place_ : end);
+    Number end[count];
+    Mask settled[count];
+    for (std::size_t i = 0; i < count; ++i) {
+      end[i] = settled_end<law>(stems[i], op, settled[i]);
+    }
+    Mask all = settled[0];
+    for (std::size_t i = 1; i < count; ++i) all = Mask(all & settled[i]);
+    if (!holds_for_all(all)) return look_again<law, count>(stems, op, settled, end);
+    for (std::size_t i = 0; i < count; ++i) {
+      stems[i].pressure_ = stems[i].built_up(op);
+      stems[i].place_ = end[i];
     }
   }
 
@@ -146,19 +155,37 @@ class alignas(sizeof(Number)) Stems {
     Mask up, down;  ///< where a moving stem moves
   };
 
-  /// Those that have `settled`, at `end`, are left there.
+  /// Where those end that neither break loose nor come to rest in this sample.
   template <ValveLaw law>
-  void look_again(Number op, Mask settled, Number end) {
+  static Number settled_end(const Stems& stems, Number op, Mask& settled) {
+    const Mask rest = stems.resting(op);
+    Number end = stems.place_;
+    settled = rest;
+    if constexpr (law == ValveLaw::kano) settled = Mask(rest | stems.moving_all_along(op, end));
+    return rest ? stems.place_ : end;
+  }
+
+  /// Those that have `settled`, at `end`, are left there.
+  template <ValveLaw law, std::size_t count>
+  static void look_again(Stems* stems, Number op, const Mask* settled, const Number* end) {
     const Number none{}, one = none + Element{1};
-    Moment now{pressure_, place_, direction_ > none, direction_ < none};
-    for (int i = 0; i < kLooks; ++i) {
-      now.pressure += friction_.pressure_share * (op - now.pressure);
-      law == ValveLaw::he ? slip(now) : follow(now);
+    Moment now[count];
+    for (std::size_t i = 0; i < count; ++i)
+      now[i] = {stems[i].pressure_, stems[i].place_, stems[i].direction_ > none,
+                stems[i].direction_ < none};
+    for (int look = 0; look < kLooks; ++look) {
+#pragma GCC unroll 4
+      for (std::size_t i = 0; i < count; ++i) {
+        now[i].pressure += stems[i].friction_.pressure_share * (op - now[i].pressure);
+        law == ValveLaw::he ? stems[i].slip(now[i]) : stems[i].follow(now[i]);
+      }
     }
-    const Number direction = (now.up ? one : none) - (now.down ? one : none);
-    direction_ = settled ? direction_ : direction;
-    pressure_ = settled ? built_up(op) : now.pressure;
-    place_ = settled ? end : now.place;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Number direction = (now[i].up ? one : none) - (now[i].down ? one : none);
+      stems[i].direction_ = settled[i] ? stems[i].direction_ : direction;
+      stems[i].pressure_ = settled[i] ? stems[i].built_up(op) : now[i].pressure;
+      stems[i].place_ = settled[i] ? end[i] : now[i].place;
+    }
   }
 
   // The next look waits for the place of this one: whatever does not depend on it is known by then.

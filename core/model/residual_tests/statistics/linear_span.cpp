@@ -17,9 +17,9 @@ using Eigen::VectorXd;
 /// all such addresses into the same few places: here each begins 17 lines of 64 bytes further on
 /// than the one before, whatever the number of rows.
 Index spacing_of(Index rows) {
-  constexpr Index kRepeats = 512, kFurther = 136;
-  const Index beyond = rows % kRepeats;
-  return rows + kFurther - beyond + (beyond > kFurther ? kRepeats : 0);
+  constexpr Index kPage = 512, kFurther = 136;
+  const Index beyond = rows % kPage;
+  return rows + kFurther - beyond + (beyond > kFurther ? kPage : 0);
 }
 
 /// Of the columns from `first` on with all of them, a row each.
