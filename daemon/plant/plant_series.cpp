@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <exception>
 #include <map>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -80,14 +81,18 @@ struct LoopBatch {
   SeriesWanted how;
 };
 
-/// The rows that this process has judged the loop's slot by, or a later one, need not be read.
+/// The rows that this process has read for the loop's slot, or for a later one, are not read again.
 void know_kept(const storage::PlantCandidate& candidate, const config::Settings& settings,
                const WindowCache& windows, RowMemory& memory) {
   const auto window = windows.find(candidate.loop.loop_id);
   if (!window || window->slot_end_us < candidate.slot_end_us ||
       !window->is_of(candidate.loop, settings))
     return;
-  for (const KeptTag& tag : window->tags) memory.know(tag.tag, tag.mode, known(tag));
+  try {
+    for (const KeptTag& tag : window->tags) memory.know(tag.tag, tag.mode, known(tag));
+  } catch (const std::bad_alloc&) {
+    // They are read.
+  }
 }
 
 void read_batch(storage::HistorianReader& historian, const LoopBatch& batch,

@@ -53,6 +53,11 @@ storage::PlantTurn round_when_due(storage::PlantRounds& rounds, double every_s,
   storage::PlantTurn turn =
       rounds.take_turn(every_s, process_name(), std::max(settings.schedule.lease_s, kLeastHold_s));
   if (turn.wait_s != 0.0) return turn;
+  /// Of a round that is not stored.
+  struct GiveBack {
+    storage::PlantRounds& rounds;
+    ~GiveBack() { rounds.give_turn_back(); }
+  } const afterwards{rounds};
   Stopwatch watch;
   if (const auto round = make_plant_round(rounds, settings, tools))
     spdlog::info("plant round: {} ({:.1f} s)", printable(round_text(*round)), watch.lap_s());
@@ -91,11 +96,13 @@ void PlantWatch::run(const std::stop_token& stop) {
     lock.unlock();
     const std::chrono::duration<double> pause(look(*in_force));
     lock.lock();
+    const bool changed =
+        changed_.wait_for(lock, stop, pause, [&] { return settings_ != in_force; });
+    lock.unlock();
+    if (!changed) continue;
     // What failed under other settings may go well under these.
-    if (changed_.wait_for(lock, stop, pause, [&] { return settings_ != in_force; })) {
-      next_round_ = {};
-      rounds_.reset();
-    }
+    next_round_ = {};
+    rounds_.reset();
   }
 }
 
@@ -142,20 +149,23 @@ double PlantWatch::look_at_plant(const config::Settings& settings) {
     rounds_.reset();
     return settings.schedule.poll_s;
   }
+  bool asked_in_vain = false;
   if (plant.round_s > 0.0) {
+    const bool rests = Clock::now() < next_round_;
     const auto wait_s = compare(*rounds_, settings);
     well = wait_s.has_value();
+    asked_in_vain = !well && !rests;
     pause_s = std::min(pause_s, wait_s.value_or(kLookAgain_s));
   }
   if (plant.notice_s > 0.0) {
     // Whatever became of the round: the loops of a historian that answers are flagged meanwhile.
-    well &= goes_well(tools_.faults, kRoundSubject, [&] { announce(*rounds_); });
+    const bool told = goes_well(tools_.faults, kRoundSubject, [&] { announce(*rounds_); });
+    well &= told;
+    asked_in_vain |= !told;
     pause_s = std::min(pause_s, plant.notice_s);
   }
-  if (well)
-    tools_.faults.recovered(kRoundSubject);
-  else
-    rounds_.reset();
+  if (well) tools_.faults.recovered(kRoundSubject);
+  if (asked_in_vain) rounds_.reset();
   return pause_s;
 }
 

@@ -40,8 +40,11 @@ bool KeptWindow::is_of(const storage::CatalogueEntry& loop,
   const auto same_tag = [](const KeptTag& tag, const std::pair<std::string, bool>& wanted) {
     return tag.tag == wanted.first && tag.mode == wanted.second;
   };
+  const auto historian =
+      std::ranges::find(settings->historians, loop.source, &config::HistorianSettings::name);
   return std::ranges::equal(tags, tags_of(loop), same_tag) &&
-         find_historian(*settings, loop.source) == find_historian(in_force, loop.source);
+         historian != settings->historians.end() &&
+         *historian == find_historian(in_force, loop.source);
 }
 
 std::vector<std::pair<std::string, bool>> tags_of(const storage::CatalogueEntry& loop) {

@@ -63,10 +63,14 @@ PlantRounds::PlantRounds(const ConnectionSettings& settings, ClockCheck check)
     : impl_(std::make_unique<Impl>(settings, std::move(check))) {}
 
 PlantRounds::~PlantRounds() {
+  give_turn_back();
+}
+
+void PlantRounds::give_turn_back() noexcept {
   if (impl_->owner.empty()) return;
   try {
     impl_->session.transact([this](Transaction& transaction) { impl_->give_back(transaction); });
-  } catch (const DatabaseError&) {
+  } catch (const std::exception&) {
     // The lease ends by itself.
   }
 }

@@ -41,6 +41,9 @@ class PlantRounds {
   /// Takes the turn for `owner` (host/pid) if a round is due, `every_s` after the last one was
   /// stored, and holds it for `hold_s`, 1 to 86400.
   [[nodiscard]] PlantTurn take_turn(double every_s, const std::string& owner, double hold_s);
+  /// Leaves the turn to others where it is held: a round has come to nothing. What goes wrong with
+  /// it is not said: the lease ends by itself.
+  void give_turn_back() noexcept;
   /// The newest slot of all enabled loops that is not after now(), microseconds UTC: what a round
   /// is about. nullopt = no loop was analysed yet.
   [[nodiscard]] std::optional<std::int64_t> newest_slot_us();

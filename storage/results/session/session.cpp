@@ -34,9 +34,9 @@ pqxx::result Transaction::run(const Statement& statement,
 
 pqxx::result Transaction::execute(const Statement& statement,
                                   const std::vector<std::string>& parameters) {
+  keep_plans(statement.kept == Kept::plan);
   const auto values = pqxx::prepare::make_dynamic_params(parameters);
   if (statement.kept == Kept::nothing) return work_.exec_params(statement.sql, values);
-  keep_plans(statement.kept == Kept::plan);
   work_.conn().prepare(statement.name, statement.sql);  // sent with its first use
   return work_.exec_prepared(statement.name, values);
 }

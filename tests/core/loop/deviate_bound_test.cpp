@@ -27,8 +27,10 @@ TEST(DeviateBound, IsNeverBelowTheDeviate) {
               hos::f_deviate(ratio, freedom_1, freedom_2))
         << ratio << " " << freedom_1 << " " << freedom_2;
   });
-  for (const double ratio : {0.0, 1e-300, 1e-12, 1e12, 1e300})
+  for (const double ratio : {0.0, 1e-300, 1e-12, 1e12, 1e300}) {
     EXPECT_GE(f_deviate_bound(ratio, 2.0, 4.0), hos::f_deviate(ratio, 2.0, 4.0));
+    EXPECT_GE(f_deviate_bound(ratio, 2e4, 2e4), hos::f_deviate(ratio, 2e4, 2e4));
+  }
 }
 
 TEST(DeviateBound, IsNearWhereItDecides) {

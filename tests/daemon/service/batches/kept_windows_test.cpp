@@ -66,6 +66,17 @@ TEST_F(KeptWindowsOfACalmPlant, OtherFactsOrSettingsMakeAWholeRead) {
   EXPECT_TRUE(visit(4, worker));
 }
 
+TEST_F(KeptWindowsOfACalmPlant, AHistorianThatTheSettingsOfBeforeLackMakesAWholeRead) {
+  Worker worker(settings_with(1));
+  static_cast<void>(visit(1, worker));
+  auto moved = std::make_shared<config::Settings>(*worker.settings);
+  moved->historians[0].name = "new";
+  worker.settings = moved;
+  loops.claims[0].loop.source = "new";
+  EXPECT_TRUE(visit(2, worker));
+  EXPECT_FALSE(visit(3, worker));
+}
+
 TEST_F(KeptWindowsOfACalmPlant, ASlotThatMovesByMostOfItsWindowIsNotKept) {
   Worker worker(settings_with(1));
   loops.claims[0].loop.period_s = 0.6 * kWindow_s;

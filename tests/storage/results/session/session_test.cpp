@@ -89,6 +89,15 @@ TEST_F(SessionTest, BrokenPromiseAboutRowsIsAnError) {
   EXPECT_THROW(session.transact([&](Transaction& t) { t.run(two); }), DatabaseError);
 }
 
+TEST_F(SessionTest, APlanThatIsKeptLeavesOtherStatementsToTheirValues) {
+  Session session(settings_for(*database));
+  session.transact([](Transaction& t) {
+    t.run({"plan", "SELECT $1::integer", Rows::one, Kept::plan}, {"1"});
+    EXPECT_STREQ(t.run({"mode", "SELECT current_setting('plan_cache_mode')"})[0][0].c_str(),
+                 "force_custom_plan");
+  });
+}
+
 TEST_F(SessionTest, WhatIsKeptOfAStatementIsUsedAgain) {
   Session session(settings_for(*database));
   const Statement text{"text", "SELECT $1::integer", Rows::one, Kept::text};
