@@ -32,9 +32,9 @@ struct SeriesWanted {
 
 /// Reads the newest windows of `wanted` (indices of candidates) again, in their order, a batch of
 /// one historian at a time, but for errors that a pass has kept (`tools.errors`), which are taken,
-/// and rows that the daemon has kept (`tools.windows`), as they were at its last visit; stops early,
-/// with an empty list, when the process shall end. Throws storage::DatabaseError when a historian
-/// is away, Failure when the settings have no such source.
+/// and rows that the daemon has kept (`tools.windows`), as they were at its last visit; stops
+/// early, with an empty list, when the process shall end. Throws storage::DatabaseError when a
+/// historian is away, Failure when the settings have no such source.
 [[nodiscard]] std::vector<PlantSeries> read_plant_series(
     std::span<const storage::PlantCandidate> candidates, std::span<const std::size_t> wanted,
     SeriesWanted how, const config::Settings& settings, SharedServices& tools);
