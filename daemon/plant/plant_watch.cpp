@@ -108,7 +108,6 @@ void PlantWatch::run(const std::stop_token& stop) {
 
 std::optional<double> PlantWatch::compare(storage::PlantRounds& rounds,
                                           const config::Settings& settings) {
-  if (Clock::now() < next_round_) return std::nullopt;
   double wait_s = kLookAgain_s;
   const auto round = [&] {
     const storage::PlantTurn turn =
@@ -144,28 +143,24 @@ double PlantWatch::look_at_plant(const config::Settings& settings) {
   const config::PlantSettings& plant = settings.plant;
   double pause_s = kLookAgain_s;
   if (plant.round_s <= 0.0 && plant.notice_s <= 0.0) return pause_s;
-  bool well = goes_well(tools_.faults, kRoundSubject, [&] { connect(settings); });
-  if (!well) {
+  if (!goes_well(tools_.faults, kRoundSubject, [&] { connect(settings); })) {
     rounds_.reset();
     return settings.schedule.poll_s;
   }
-  bool asked_in_vain = false;
-  if (plant.round_s > 0.0) {
-    const bool rests = Clock::now() < next_round_;
+  const bool has_failed_lately = Clock::now() < next_round_;
+  bool went_well = true;
+  if (plant.round_s > 0.0 && !has_failed_lately) {
     const auto wait_s = compare(*rounds_, settings);
-    well = wait_s.has_value();
-    asked_in_vain = !well && !rests;
+    went_well = wait_s.has_value();
     pause_s = std::min(pause_s, wait_s.value_or(kLookAgain_s));
   }
   if (plant.notice_s > 0.0) {
     // Whatever became of the round: the loops of a historian that answers are flagged meanwhile.
-    const bool told = goes_well(tools_.faults, kRoundSubject, [&] { announce(*rounds_); });
-    well &= told;
-    asked_in_vain |= !told;
+    went_well &= goes_well(tools_.faults, kRoundSubject, [&] { announce(*rounds_); });
     pause_s = std::min(pause_s, plant.notice_s);
   }
-  if (well) tools_.faults.recovered(kRoundSubject);
-  if (asked_in_vain) rounds_.reset();
+  if (!went_well) rounds_.reset();
+  if (went_well && !has_failed_lately) tools_.faults.recovered(kRoundSubject);
   return pause_s;
 }
 

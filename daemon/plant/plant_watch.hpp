@@ -38,7 +38,7 @@ class PlantWatch {
   /// One connection for all looks: to plan what is asked of all loops takes a new one several times
   /// as long (storage/MEASURED.md).
   void connect(const config::Settings& settings);
-  /// Compares when it is time; seconds until it will be, nullopt = it failed, now or lately.
+  /// Compares when it is time; seconds until it will be, nullopt = it failed.
   std::optional<double> compare(storage::PlantRounds& rounds, const config::Settings& settings);
   /// Says who has the turn when it has been another's at many looks in a row.
   void count_refusal(const std::string& holder);

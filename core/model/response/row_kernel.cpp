@@ -7,6 +7,8 @@
 #include <cstring>
 #include <hwy/highway.h>
 
+#include "core/model/vectors/number_pair.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace loopscope::core::model::HWY_NAMESPACE {
 namespace {
@@ -16,7 +18,7 @@ constexpr std::size_t kTogether = 4;
 using Quad __attribute__((vector_size(kTogether * sizeof(double)))) = double;
 
 /// Where no rows are added to one another any length will do.
-constexpr std::size_t kVectorBytes = HWY_TARGET == HWY_AVX3 ? 64 : HWY_TARGET == HWY_AVX2 ? 32 : 16;
+constexpr std::size_t kVectorBytes = longest_vector_bytes(HWY_TARGET);
 using Wide __attribute__((vector_size(kVectorBytes))) = double;
 constexpr std::size_t kWide = kVectorBytes / sizeof(double);
 

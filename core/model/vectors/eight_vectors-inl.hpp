@@ -11,13 +11,12 @@
 #include <hwy/highway.h>
 
 #include "core/model/vectors/eight_numbers.hpp"
+#include "core/model/vectors/number_pair.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace loopscope::core::model::HWY_NAMESPACE {
 
-inline constexpr std::size_t kEightBytes = HWY_TARGET == HWY_AVX3   ? 64
-                                           : HWY_TARGET == HWY_AVX2 ? 32
-                                                                    : 16;
+inline constexpr std::size_t kEightBytes = longest_vector_bytes(HWY_TARGET);
 /// Of the compiler's own, side by side: kVectorsOfEight of them are EightNumbers.
 using EightPart __attribute__((vector_size(kEightBytes))) = double;
 inline constexpr std::size_t kVectorsOfEight = sizeof(EightNumbers) / kEightBytes;

@@ -6,6 +6,8 @@
 // are; lane_kernel.cpp includes them once for each kind, as Highway's foreach_target.h asks, hence
 // their guards that are turned round instead of set. What they stand on is compiled once.
 #include <cstddef>
+#include <cstdint>
+#include <hwy/detect_targets.h>
 #include <type_traits>
 #include <utility>
 
@@ -17,6 +19,12 @@ using NumberPair __attribute__((vector_size(2 * sizeof(double)))) = double;
 
 /// Four numbers of half the digits, in the same room as a pair: enough to rank guesses of a search.
 using ShortNumbers __attribute__((vector_size(4 * sizeof(float)))) = float;
+
+/// Bytes of the longest vectors that one kind of processor (HWY_TARGET of Highway) has, of those
+/// that this room compiles for.
+constexpr std::size_t longest_vector_bytes(std::int64_t target) {
+  return target == HWY_AVX3 ? 64 : target == HWY_AVX2 ? 32 : sizeof(NumberPair);
+}
 
 /// What a Number is made of: NumberPair, ShortNumbers, or double, which is one by itself.
 template <typename Number>

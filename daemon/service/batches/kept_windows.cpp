@@ -16,8 +16,6 @@ namespace {
 using core::signal::RawSeries;
 using storage::CatalogueEntry;
 
-using TagKey = std::pair<std::string, bool>;  ///< tag, and whether its values are read as modes
-
 bool same_rows(const RawSeries& a, const RawSeries& b) {
   const auto same_bits = [](double x, double y) {
     return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);

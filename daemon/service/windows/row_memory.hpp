@@ -14,6 +14,9 @@
 
 namespace loopscope::daemon {
 
+/// A tag, and whether its values are read as modes.
+using TagKey = std::pair<std::string, bool>;
+
 /// All rows of a tag from one time to another, both included, microseconds UTC.
 struct KnownRows {
   std::int64_t from_us = 0;
@@ -44,14 +47,13 @@ class RowMemory {
   [[nodiscard]] const KnownRows* find(const std::string& tag, bool mode) const;
 
  private:
-  using Key = std::pair<std::string, bool>;  ///< tag, and whether its values were read as modes
   struct Pieces;
   [[nodiscard]] Pieces pieces_of(const storage::TagRequest& request) const;
   std::vector<core::signal::RawSeries> read_pieces(std::span<const storage::TagRequest> requests,
                                                    std::vector<Pieces>& pieces, const Read& read);
   void remember(const storage::TagRequest& request, const core::signal::RawSeries& rows);
 
-  std::map<Key, KnownRows> known_;
+  std::map<TagKey, KnownRows> known_;
 };
 
 /// A lower bound for rows_within() that leaves out none.

@@ -37,7 +37,7 @@ std::size_t KeptWindow::bytes() const {
 
 bool KeptWindow::is_of(const storage::CatalogueEntry& loop,
                        const config::Settings& in_force) const {
-  const auto same_tag = [](const KeptTag& tag, const std::pair<std::string, bool>& wanted) {
+  const auto same_tag = [](const KeptTag& tag, const TagKey& wanted) {
     return tag.tag == wanted.first && tag.mode == wanted.second;
   };
   const auto historian =
@@ -47,8 +47,8 @@ bool KeptWindow::is_of(const storage::CatalogueEntry& loop,
          *historian == find_historian(in_force, loop.source);
 }
 
-std::vector<std::pair<std::string, bool>> tags_of(const storage::CatalogueEntry& loop) {
-  std::vector<std::pair<std::string, bool>> tags;
+std::vector<TagKey> tags_of(const storage::CatalogueEntry& loop) {
+  std::vector<TagKey> tags;
   for (const TagRole& role : kTagRoles) {
     if (!(loop.*role.tag).empty()) tags.emplace_back(loop.*role.tag, role.is_mode());
   }

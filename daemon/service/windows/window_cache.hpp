@@ -50,10 +50,8 @@ struct KeptWindow {
                            const config::Settings& in_force) const;
 };
 
-/// The tags of a loop that are read for its windows, in the order of KeptWindow::tags; of each
-/// whether its values are read as modes.
-[[nodiscard]] std::vector<std::pair<std::string, bool>> tags_of(
-    const storage::CatalogueEntry& loop);
+/// The tags of a loop that are read for its windows, in the order of KeptWindow::tags.
+[[nodiscard]] std::vector<TagKey> tags_of(const storage::CatalogueEntry& loop);
 
 /// Windows kept in memory within a limit. What is kept is what saves most rows for each byte and
 /// hour, never what is newest: loops come round in a circle, and the newest of more than fit are

@@ -6,6 +6,7 @@
 #include <map>
 #include <pqxx/pqxx>
 
+#include "core/signal/microseconds.hpp"
 #include "storage/array_literal.hpp"
 #include "storage/results/rows/loop_row.hpp"
 #include "storage/results/writes/write_combined.hpp"
@@ -79,7 +80,7 @@ LoopWindows windows_before(const pqxx::row& row) {
 }
 
 double seconds(std::int64_t time_us) {
-  return static_cast<double>(time_us) / 1e6;
+  return static_cast<double>(time_us) / core::signal::kMicrosecondsPerSecond;
 }
 
 /// The record as it will be stored.

@@ -13,9 +13,7 @@ namespace loopscope::core::model {
 inline namespace HWY_NAMESPACE {
 
 /// Of the compiler's own vectors, not of Highway's: those go into arrays and choose with ?:.
-inline constexpr std::size_t kVectorBytes = HWY_TARGET == HWY_AVX3   ? 64
-                                            : HWY_TARGET == HWY_AVX2 ? 32
-                                                                     : sizeof(NumberPair);
+inline constexpr std::size_t kVectorBytes = longest_vector_bytes(HWY_TARGET);
 using Singles __attribute__((vector_size(kVectorBytes))) = float;
 using Doubles __attribute__((vector_size(kVectorBytes))) = double;
 

@@ -107,6 +107,16 @@ TEST_F(PlantRoundsTest, NothingToDoBeforeTheFirstAnalysis) {
   EXPECT_EQ(plant().newest_slot_us(), std::nullopt);
 }
 
+TEST_F(PlantRoundsTest, ATurnWithoutARoundCanBeGivenBack) {
+  tell({{.loop = "a"}});
+  PlantRounds first(settings_for(*database)), second(settings_for(*database));
+  EXPECT_EQ(first.take_turn(3600, "host/1", 60).wait_s, 0.0);
+  first.give_turn_back();
+  EXPECT_EQ(second.take_turn(3600, "host/2", 60).wait_s, 0.0);
+  first.give_turn_back();
+  EXPECT_EQ(first.take_turn(3600, "host/1", 60).holder, "host/2") << "of another's it gives none";
+}
+
 TEST_F(PlantRoundsTest, OneAtATimeMakesARoundAndOnlyWhenItIsDue) {
   tell({{.loop = "a"}});
   PlantRounds first(settings_for(*database)), second(settings_for(*database));

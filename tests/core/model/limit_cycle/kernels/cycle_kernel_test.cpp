@@ -79,7 +79,7 @@ TEST(CycleKernel, PassesAndAveragesEachSeriesAsIfItWereAlone) {
   }
 }
 
-/// By whole arrays, block by block, as the sums were defined at first: SSE2 adds pairs by turns.
+/// As Eigen adds whole arrays, block by block, where it is compiled for SSE2: pairs by turns.
 TEST(CycleKernel, MultipliesInTheOrderOfArrays) {
   const CycleKernel& kernel = best_cycle_kernel();
   const std::vector<EightNumbers> responses = passed_by(kernel, responses_by(kernel)[1]);
