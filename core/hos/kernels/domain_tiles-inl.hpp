@@ -19,11 +19,11 @@ HWY_BEFORE_NAMESPACE();
 namespace loopscope::core::hos::HWY_NAMESPACE {
 
 /// Bifrequencies of a tile along k1 and k2, and the sums that it has of each.
-template <std::size_t wide_, std::size_t high_, std::size_t sums_>
+template <std::size_t wide, std::size_t high, std::size_t sums>
 struct TileShape {
-  static constexpr std::size_t kWide = wide_;
-  static constexpr std::size_t kHigh = high_;
-  static constexpr std::size_t kSums = sums_;
+  static constexpr std::size_t kWide = wide;
+  static constexpr std::size_t kHigh = high;
+  static constexpr std::size_t kSums = sums;
   static constexpr std::size_t kRow = kWide * kSums;  ///< doubles of one k2
 };
 

@@ -173,7 +173,7 @@ HWY_INLINE void add_triples(const SpectrumRows& rows, const SegmentBlock& block,
   constexpr std::size_t kHigh = TripleShape::kHigh;
   static constexpr auto kKernels = triple_kernels(std::make_index_sequence<kHigh>());
   const PrincipalDomain domain(rows.dft_length);
-  Band band;
+  Band band;  // NOLINT(cppcoreguidelines-pro-type-member-init): written before it is read.
   for (std::size_t k2 = 1; k2 <= domain.rows(); k2 += kHigh) {
     fill_band(rows, k2, std::min(kHigh, domain.rows() + 1 - k2), block, band);
     sweep_band<TripleShape>(

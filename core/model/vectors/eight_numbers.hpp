@@ -12,7 +12,9 @@ inline constexpr std::size_t kSideBySide = 8;
 /// A number of each series, at one sample. What is done with each of them alone is the same to the
 /// last digit, however wide the vectors are.
 struct alignas(kSideBySide * sizeof(double)) EightNumbers {
-  double numbers[kSideBySide];  // Nothing at first: long series are written before they are read.
+  double numbers[kSideBySide];
+  // Nothing at first: long series are written before they are read.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,modernize-use-equals-default)
   EightNumbers() {}
   [[nodiscard]] double& operator[](std::size_t i) { return numbers[i]; }
   [[nodiscard]] double operator[](std::size_t i) const { return numbers[i]; }

@@ -136,8 +136,9 @@ void KeptWindows::drop_contradictory() {
   }
   std::set<std::int64_t> doubtful;
   for (const auto& [tag, loops] : by_tag) {
+    const KnownRows& first = *loops.front().second;
     const bool agree = std::ranges::all_of(
-        loops, [&](const auto& loop) { return agree_in_common(*loop.second, *loops[0].second); });
+        loops, [&](const auto& loop) { return agree_in_common(*loop.second, first); });
     if (agree) continue;
     for (const auto& [loop_id, rows] : loops) doubtful.insert(loop_id);
   }

@@ -48,8 +48,8 @@ const Statement kCountDue{"count_due",
                           Rows::one, Kept::text};
 
 // Seconds as the server counts them: what the way there takes says nothing of dead entries. What is
-// locked is being claimed, or would not be claimed. One index serves it however many rows there are;
-// a plan of an empty table ends with the next ANALYZE.
+// locked is being claimed, or would not be claimed. One index serves it however many rows there
+// are; a plan of an empty table ends with the next ANALYZE.
 const Statement kOldestDue{
     "oldest_due",
     "SELECT oldest.due_us, oldest.loop_id,"

@@ -19,9 +19,10 @@ namespace {
 template <typename Number>
 void take_means(std::span<const double> samples, std::size_t stride, std::size_t factor,
                 double* kept) {
+  constexpr std::size_t kBytes = sizeof(Number);
   const std::size_t count = samples.size() / stride / factor;
   for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t v = 0; v < stride; v += sizeof(Number) / sizeof(double)) {
+    for (std::size_t v = 0; v < stride; v += kBytes / sizeof(double)) {
       Number sum{}, sample;
       for (std::size_t k = i * factor; k < (i + 1) * factor; ++k) {
         std::memcpy(&sample, &samples[k * stride + v], sizeof(sample));
