@@ -185,15 +185,17 @@ Fit fit_candidate(const LoopData& data, Fit fit, double hopeless) {
   // The linear baseline takes all of a valve's travel for dynamics.
   fit = bends ? search_process(data, fit.structure) : settle(data, fit);
   if (is_valve_hysteresis(kind) && fit.fit_error > hopeless) return fit;
+  // A valve that has been refined once is near where it ends; limits and places are not always.
+  const double coarsest = is_valve_hysteresis(kind) ? 0.25 : 1.0;
   const bool scans = data.without.keeps(Mechanism::bands_scanned);
   if (bends && scans) fit = polish(data, scan_band(data, std::move(fit)).structure, 4);
   if (scans) fit = scan_jump(data, std::move(fit));
   for (int round = 0; bends && round < 3; ++round) {
     const double before = fit.fit_error;
-    fit = polish(data, refine_last(data, std::move(fit)).structure, 4);
+    fit = polish(data, refine_last(data, std::move(fit), coarsest).structure, 4);
     if (fit.fit_error > 0.999 * before) break;
   }
-  return prefer_play(data, refine_last(data, std::move(fit)));
+  return prefer_play(data, refine_last(data, std::move(fit), coarsest));
 }
 
 double multi_step_evidence(const LoopData& rows, const Fit& before, const Fit& after) {

@@ -60,12 +60,15 @@ void add_hysteresis(const Round& round, double other_gain, std::vector<Candidate
   const std::optional<GridResult> play =
       find_play(round.data, now, error_after(round.data, now.fit_error, kLeastGain));
   if (!play || add(*play) < worth_searching || !can_seek_sticking(play->structure)) return;
-  for (const GridResult& find : find_sticking(round.data, round.now.fit, *play)) add(find);
-  if (!round.data.without.keeps(Mechanism::stem_search)) return;
+  std::vector<GridResult> finds = find_sticking(round.data, round.now.fit, *play);
   const EffectPtr& effect = play->structure.effects.back();
   const double band = effect->as_valve()->valve().stickband_percent;
-  for (const ValveLaw law : {ValveLaw::he, ValveLaw::kano})
-    add(find_stem(round.data, play->structure, band, law));
+  const Structure rival = std::ranges::min_element(finds, {}, &GridResult::fit_error)->structure;
+  for (const ValveLaw law : {ValveLaw::he, ValveLaw::kano}) {
+    if (!round.data.without.keeps(Mechanism::stem_search)) break;
+    finds.push_back(find_stem(round.data, play->structure, band, law, 0, &rival));
+  }
+  for (const GridResult& find : finds) add(find);
 }
 
 /// Load steps, changes of gain and lines are found by looking through all places and frequencies;

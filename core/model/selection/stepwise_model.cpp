@@ -23,7 +23,8 @@ constexpr std::size_t kMostEffects = 6;
 GridResult best_stem(const LoopData& rows, const Structure& behind, std::size_t attempt) {
   const Valve& valve = behind.effects.back()->as_valve()->valve();
   const auto by = [&](ValveLaw law) {
-    return find_stem(rows, behind, valve.stickband_percent, law, attempt);
+    return find_stem(rows, behind, valve.stickband_percent, law, attempt,
+                     valve.acts_at_samples() ? &behind : nullptr);
   };
   if (!valve.acts_at_samples()) return by(valve.law);
   GridResult he = by(ValveLaw::he);

@@ -11,6 +11,7 @@
 #include "core/hos/numeric/normal_draw.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/fit/fit_variants.hpp"
+#include "core/model/fit/trial.hpp"
 #include "core/model/valve_search/valve_guess.hpp"
 
 namespace loopscope::core::model {
@@ -36,6 +37,9 @@ constexpr double kCooling = 0.64;
 constexpr std::size_t kTellingRows = 1500;
 /// From here on the noise is fitted again behind the best guess.
 constexpr std::size_t kFitFrom = 1000;
+/// From here on a search is given up whose best guess is so far behind the rival, in n ln.
+constexpr std::size_t kRaceFrom = 900;
+constexpr double kFarBehind = 40.0;
 
 std::vector<Range> cut_off(std::vector<Range> ranges, std::size_t end) {
   for (Range& range : ranges) range.end = std::min(range.end, end);
@@ -54,8 +58,9 @@ LoopData beginning(const LoopData& data, std::size_t rows) {
 
 class Evolution {
  public:
-  Evolution(const LoopData& data, Structure behind, double band, ValveLaw law, std::size_t attempt)
-      : data_(data), start_(std::move(behind)), law_(law), random_(attempt) {
+  Evolution(const LoopData& data, Structure behind, double band, ValveLaw law, std::size_t attempt,
+            const Structure* rival)
+      : data_(data), start_(std::move(behind)), rival_(rival), law_(law), random_(attempt) {
     start_.two_taps = false;
     for (std::size_t i = 0; i < kGuesses; ++i)
       guesses_.push_back(drawn_genes(band, attempt * kGuesses + i));
@@ -66,6 +71,7 @@ class Evolution {
     while (window < static_cast<double>(data_.size())) {
       const LoopData seen = beginning(data_, static_cast<std::size_t>(window));
       look_at(seen, kGenerations);
+      if (seen.size() >= kRaceFrom && is_far_behind(seen)) return given_up();
       if (seen.size() >= kTellingRows && are_plays()) return found(0);
       if (seen.size() >= kFitFrom) start_.noise = fitted(seen, 3).structure.noise;
       window *= kWindowGrowth;
@@ -87,6 +93,19 @@ class Evolution {
       guesses_.insert(guesses_.end(), children.begin(), children.end());
       keep_best();
     }
+  }
+
+  [[nodiscard]] GridResult given_up() const {
+    return {start_, std::numeric_limits<double>::infinity()};
+  }
+
+  /// Noise and rows are those of the guesses.
+  [[nodiscard]] bool is_far_behind(const LoopData& seen) const {
+    if (rival_ == nullptr) return false;
+    Structure rival = *rival_;
+    rival.noise = start_.noise;
+    return guesses_.front().fit_error >
+           error_after(seen, evaluate(seen, rival).fit_error, -kFarBehind);
   }
 
   /// The best quarter hardly jumps.
@@ -156,7 +175,8 @@ class Evolution {
   }
 
   const LoopData& data_;
-  Structure start_;  ///< with the noise as it was fitted last
+  Structure start_;         ///< with the noise as it was fitted last
+  const Structure* rival_;  ///< nullptr = none
   ValveLaw law_;
   std::vector<ValveGuess> guesses_;
   std::size_t parents_ = kParents;
@@ -173,8 +193,8 @@ bool can_seek_sticking(const Structure& behind) {
 }
 
 GridResult find_stem(const LoopData& data, const Structure& behind, double band, ValveLaw law,
-                     std::size_t attempt) {
-  return Evolution(data, behind, band, law, attempt).run();
+                     std::size_t attempt, const Structure* rival) {
+  return Evolution(data, behind, band, law, attempt, rival).run();
 }
 
 }  // namespace loopscope::core::model

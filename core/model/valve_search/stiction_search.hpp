@@ -24,9 +24,11 @@ namespace loopscope::core::model {
 ///
 /// `band` in % of op. `behind` ends with a valve (can_seek_sticking()); its process and noise are
 /// where the search begins. Each `attempt` has first guesses of its own. The same data give the
-/// same result.
+/// same result. Where the guesses stay far behind `rival`, which ends with a valve too, the search
+/// is given up: a fit_error of infinity.
 [[nodiscard]] GridResult find_stem(const LoopData& data, const Structure& behind, double band,
-                                   ValveLaw law, std::size_t attempt = 0);
+                                   ValveLaw law, std::size_t attempt = 0,
+                                   const Structure* rival = nullptr);
 
 /// Guesses that the searches for one valve look at, about: by both laws and in three closer looks
 /// (refine_valve()) 9000 each. What they find has been chosen from these.

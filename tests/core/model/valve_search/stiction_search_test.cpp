@@ -84,6 +84,17 @@ TEST(StemSearch, AnotherAttemptHasOtherGuesses) {
   EXPECT_NE(first.fit_error, second.fit_error);
 }
 
+/// A valve that moves at the samples is followed by its own law, which no stem comes near.
+TEST(StemSearch, IsGivenUpFarBehindARival) {
+  const Valve truth{ValveLaw::choudhury, 4.0, 2.5, 1.0};
+  const ValveRecord record = recorded(truth, 7);
+  const Structure rival = with_last(record.behind, std::make_shared<ValveEffect>(truth));
+  EXPECT_TRUE(
+      std::isinf(find_stem(record.data, record.behind, 4.4, ValveLaw::he, 0, &rival).fit_error));
+  EXPECT_TRUE(std::isfinite(
+      find_stem(record.data, record.behind, 4.4, ValveLaw::he, 0, &record.behind).fit_error));
+}
+
 /// Of play the search need not go to the end; what it gives is as good as the play.
 TEST(StemSearch, PlayIsFoundAsPlay) {
   const ValveRecord record = recorded({ValveLaw::he, 4.0, 0.0, 1.0, {0.2, 0.0, 0.0}}, 6);
