@@ -14,8 +14,8 @@ namespace loopscope::core::hos {
 [[nodiscard]] double normal_draw(std::mt19937_64& random);
 
 /// One number of the normal law with this mean and standard deviation (> 0), given that it lies
-/// within low to high (low < high; either may be infinite). Far out in a tail, where doubles end,
-/// the exponential law that the tail approaches stands in.
+/// within low to high (low < high; either may be infinite), by rejection: exact, and without the
+/// distribution function. More than a million standard deviations out it is the nearer limit.
 [[nodiscard]] double normal_draw_within(double mean, double std, double low, double high,
                                         std::mt19937_64& random);
 

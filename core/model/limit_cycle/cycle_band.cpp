@@ -6,7 +6,6 @@
 
 #include "core/hos/numeric/quantile.hpp"
 #include "core/hos/slow/period.hpp"
-#include "core/model/limit_cycle/kernels/cycle_kernel.hpp"
 #include "core/model/valve_law/op_turns.hpp"
 #include "core/signal/order/sort_values.hpp"
 
@@ -82,13 +81,13 @@ std::vector<double> CycleBand::drift(std::span<const double> kept) const {
 
 std::vector<double> CycleBand::pass(std::span<const double> kept) const {
   std::vector<double> passed(kept.size());
-  best_cycle_kernel().pass({long_half_, short_half_}, sums_before(kept), 1, passed.data());
+  best_cycle_kernel().pass(widths(), sums_before(kept), 1, passed.data());
   return passed;
 }
 
 std::vector<EightNumbers> CycleBand::pass_sums(std::span<const EightNumbers> sums) const {
   std::vector<EightNumbers> passed(sums.size() - 1);
-  best_cycle_kernel().pass({long_half_, short_half_}, flat(sums), kSideBySide, first_of(passed));
+  best_cycle_kernel().pass(widths(), flat(sums), kSideBySide, first_of(passed));
   return passed;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/model/limit_cycle/kernels/cycle_kernel.hpp"
 #include "core/model/vectors/eight_numbers.hpp"
 
 namespace loopscope::core::model {
@@ -28,6 +29,8 @@ class CycleBand {
   /// The same of eight series, by the sums of all before each sample, and of all: one more than
   /// samples.
   [[nodiscard]] std::vector<EightNumbers> pass_sums(std::span<const EightNumbers> sums) const;
+  /// The half widths of the two means.
+  [[nodiscard]] BandWidths widths() const { return {long_half_, short_half_}; }
   /// The long mean alone: the drift that pass() takes out.
   [[nodiscard]] std::vector<double> drift(std::span<const double> kept) const;
 

@@ -91,12 +91,12 @@ void SimulationFit::offer(std::span<const double> input) {
 }
 
 void SimulationFit::offer(std::span<const EightNumbers> inputs, std::span<const Valve> valves) {
-  std::vector<std::array<FoldSums, 2>> sums;
-  for (const std::vector<EightNumbers>& of_lag : respond(kProcessLags, inputs)) {
-    const std::vector<EightNumbers> responses = band_.pass_sums(of_lag);
-    for (const std::size_t delay : delays_)
-      sums.push_back(
-          best_cycle_kernel().multiply(responses, delay, weighted_pv_, weights_, block_));
+  std::vector<std::array<FoldSums, 2>> sums(kProcessLags.size() * delays_.size());
+  auto* of_lag = sums.data();
+  for (const std::vector<EightNumbers>& response : respond(kProcessLags, inputs)) {
+    best_cycle_kernel().multiply(band_.widths(), response, delays_,
+                                 {weighted_pv_, weights_, block_}, of_lag);
+    of_lag += delays_.size();
   }
   for (std::size_t v = 0; v < valves.size(); ++v) {
     auto folds = sums.begin();

@@ -66,6 +66,11 @@ TravelFit::TravelFit(const std::vector<double>& pv)
     trend_square_ += trend_[k] * trend_[k];
     pv_trend_ += trend_[k] * pv[k];
   });
+  trend_mean_ = trend_sum_ / count_;
+  trend_variation_ = trend_square_ - trend_sum_ * trend_mean_;
+  pv_per_trend_ = pv_trend_ - trend_mean_ * pv_sum_;
+  pv_left_ =
+      pv_square_ - pv_sum_ * pv_sum_ / count_ - pv_per_trend_ * pv_per_trend_ / trend_variation_;
 }
 
 LaggedFlows TravelFit::lag(std::span<const EightNumbers> flows) const {
@@ -102,7 +107,7 @@ void TravelFit::try_lag(const Lagged& lagged, const TravelSums& sums, double pol
   const std::size_t place = lagged.place;
   const double sum = sums.sum[place], with_trend = sums.with_trend[place];
   const double square = sums.square[place];
-  if (square <= 0.0) return;
+  if (square <= 0.0 || cannot_beat(sums, place, best.fitted)) return;
   const Eigen::Matrix3d normal{{count_, trend_sum_, sum},
                                {trend_sum_, trend_square_, with_trend},
                                {sum, with_trend, square}};
@@ -117,6 +122,22 @@ void TravelFit::try_lag(const Lagged& lagged, const TravelSums& sums, double pol
   const double fitted = explained(lagged, weights, kFitted);
   if (!(fitted > best.fitted)) return;
   best = {fitted, explained(lagged, weights, kScored), {pole, lagged.delay, weights}};
+}
+
+/// Whether no weights at all bring the share above `fitted`: by the squares left of pv once the
+/// constant and the trend have been taken out of pv and flow, where enough is left of the flow.
+bool TravelFit::cannot_beat(const TravelSums& sums, std::size_t place, double fitted) const {
+  // Of the flow's squares; with more, what follows is good to 1e-9 of pv's.
+  constexpr double kEnoughLeft = 1e-5;
+  constexpr double kRoom = 1e-6;
+  const double sum = sums.sum[place], square = sums.square[place];
+  const double per_trend = sums.with_trend[place] - trend_mean_ * sum;
+  const double flow_left = square - sum * sum / count_ - per_trend * per_trend / trend_variation_;
+  if (!(flow_left > kEnoughLeft * square) || !(variance_[kFitted] > 0.0)) return false;
+  const double with_pv =
+      sums.with_pv[place] - sum * pv_sum_ / count_ - per_trend * pv_per_trend_ / trend_variation_;
+  const double left = pv_left_ - with_pv * with_pv / flow_left;
+  return left - kRoom * pv_square_ > (1.0 - fitted) * variance_[kFitted];
 }
 
 /// One less the mean square that `weights` leave by the variance, on the blocks of one kind.

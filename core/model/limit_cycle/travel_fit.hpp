@@ -63,6 +63,7 @@ class TravelFit {
 
   /// Replaces `best` if it is better.
   void try_lag(const Lagged& lagged, const TravelSums& sums, double pole, TravelShare& best) const;
+  [[nodiscard]] bool cannot_beat(const TravelSums& sums, std::size_t place, double fitted) const;
   [[nodiscard]] double explained(const Lagged& lagged, const std::array<double, 3>& weights,
                                  Kind kind) const;
 
@@ -72,6 +73,9 @@ class TravelFit {
   /// Over the blocks that are fitted: the constant and the trend with themselves and with pv.
   double count_ = 0.0, trend_sum_ = 0.0, trend_square_ = 0.0;
   double pv_sum_ = 0.0, pv_square_ = 0.0, pv_trend_ = 0.0;
+  /// The same without the constant: of the trend, and of the trend with pv; and what both leave of
+  /// pv's squares.
+  double trend_mean_ = 0.0, trend_variation_ = 0.0, pv_per_trend_ = 0.0, pv_left_ = 0.0;
   std::array<double, 2> variance_{};  ///< times the number of means, by kind
 };
 

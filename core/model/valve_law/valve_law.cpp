@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/model/valve_law/he_kernel.hpp"
 #include "core/model/valve_law/valve_between_samples.hpp"
 #include "core/model/valve_law/valve_lanes-inl.hpp"
 
@@ -109,6 +110,8 @@ void run_valves(std::span<const Valve> valves, std::span<const double> op,
   for (EightNumbers& row : mv.first(missing))
     std::ranges::fill(row.numbers, std::numeric_limits<double>::quiet_NaN());
   if (first == op.end()) return;
+  if (valves[0].law == ValveLaw::he)
+    return run_he_valves(valves, op.subspan(missing), mv.subspan(missing));
   const std::size_t half = std::min(valves.size(), kSideBySide / 2);
   const FourValves left(valves.first(half), *first);
   const FourValves right(half < valves.size() ? valves.subspan(half) : valves, *first);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstring>
 #include <hwy/highway.h>
+#include <vector>
 
 #include "core/model/vectors/eight_vectors-inl.hpp"
 
@@ -81,43 +82,62 @@ void respond(std::span<const EightNumbers> inputs, std::span<const LagStep> lags
   }
 }
 
-/// Where a mean ends at an end of the record.
-void pass_near_end(BandWidths widths, std::span<const double> sums, std::size_t stride,
-                   std::size_t k, double* passed) {
+/// The sums before and behind a mean, and its width.
+struct MeanEnds {
+  std::size_t first, last;
+  [[nodiscard]] double width() const { return static_cast<double>(last - first); }
+};
+
+/// Where a mean around k ends at an end of the record.
+MeanEnds ends_near(std::size_t k, std::size_t half, std::size_t count) {
+  return {k - std::min(k, half), std::min(count, k + half + 1)};
+}
+
+/// As many series at a time as a Number has. Samples first to end - 1.
+template <typename Number>
+void pass_some(BandWidths widths, std::span<const double> sums, std::size_t stride, Range some,
+               double* passed) {
+  constexpr std::size_t kBytes = sizeof(Number);
+  const auto [long_half, short_half] = widths;
   const std::size_t count = sums.size() / stride - 1;
-  const auto ends = [&](std::size_t half) {
-    return std::array{k - std::min(k, half), std::min(count, k + half + 1)};
+  const auto each = [&](std::size_t k, auto difference) {
+    for (std::size_t v = 0; v < stride; v += kBytes / sizeof(double)) {
+      const auto sum = [&](std::size_t at) {
+        Number number;
+        std::memcpy(&number, &sums[at * stride + v], kBytes);
+        return number;
+      };
+      const Number result = difference(sum);
+      std::memcpy(passed + k * stride + v, &result, kBytes);
+    }
   };
-  const auto [short_first, short_last] = ends(std::min({widths.short_half, k, count - 1 - k}));
-  const auto [long_first, long_last] = ends(widths.long_half);
-  const auto short_width = static_cast<double>(short_last - short_first);
-  const auto long_width = static_cast<double>(long_last - long_first);
-  for (std::size_t v = 0; v < stride; ++v) {
-    const double* sum = &sums[v];
-    passed[k * stride + v] = (sum[short_last * stride] - sum[short_first * stride]) / short_width -
-                             (sum[long_last * stride] - sum[long_first * stride]) / long_width;
+  const auto near_end = [&](std::size_t k) {
+    const MeanEnds s = ends_near(k, std::min({short_half, k, count - 1 - k}), count);
+    const MeanEnds l = ends_near(k, long_half, count);
+    each(k, [&](const auto& sum) {
+      return (sum(s.last) - sum(s.first)) / s.width() - (sum(l.last) - sum(l.first)) / l.width();
+    });
+  };
+  const std::size_t inner = std::clamp(long_half, some.first, some.end);
+  const std::size_t outer = std::clamp(count - std::min(count, long_half), inner, some.end);
+  const double short_share = 1.0 / static_cast<double>(2 * short_half + 1);
+  const double long_share = 1.0 / static_cast<double>(2 * long_half + 1);
+  for (std::size_t k = some.first; k < inner; ++k) near_end(k);
+  for (std::size_t k = inner; k < outer; ++k) {
+    each(k, [&](const auto& sum) {
+      return (sum(k + short_half + 1) - sum(k - short_half)) * short_share -
+             (sum(k + long_half + 1) - sum(k - long_half)) * long_share;
+    });
   }
+  for (std::size_t k = outer; k < some.end; ++k) near_end(k);
 }
 
 void pass(BandWidths widths, std::span<const double> sums, std::size_t stride, double* passed) {
-  const auto [long_half, short_half] = widths;
-  const std::size_t count = sums.size() / stride - 1;
-  const std::size_t inner = std::min(count, long_half);
-  const std::size_t outer = std::max(inner, count - std::min(count, long_half));
-  for (std::size_t k = 0; k < inner; ++k) pass_near_end(widths, sums, stride, k, passed);
-  const double short_share = 1.0 / static_cast<double>(2 * short_half + 1);
-  const double long_share = 1.0 / static_cast<double>(2 * long_half + 1);
-  if (outer > inner) {
-    const double* short_last = &sums[(inner + short_half + 1) * stride];
-    const double* short_first = &sums[(inner - short_half) * stride];
-    const double* long_last = &sums[(inner + long_half + 1) * stride];
-    const double* long_first = &sums[(inner - long_half) * stride];
-    double* __restrict to = passed + inner * stride;
-    for (std::size_t i = 0; i < (outer - inner) * stride; ++i)
-      to[i] = (short_last[i] - short_first[i]) * short_share -
-              (long_last[i] - long_first[i]) * long_share;
-  }
-  for (std::size_t k = outer; k < count; ++k) pass_near_end(widths, sums, stride, k, passed);
+  const Range all{0, sums.size() / stride - 1};
+  if (stride == kSideBySide)
+    pass_some<EightPart>(widths, sums, stride, all, passed);
+  else
+    pass_some<double>(widths, sums, stride, all, passed);
 }
 
 struct Products {
@@ -158,28 +178,42 @@ Products sum_up(std::size_t count, Product product) {
   return first;
 }
 
-std::array<FoldSums, 2> multiply(std::span<const EightNumbers> responses, std::size_t delay,
-                                 std::span<const double> weighted_pv,
-                                 std::span<const double> weights, std::size_t block) {
-  std::array<FoldSums, 2> result;
-  for (std::size_t part = 0; part < kVectorsOfEight; ++part) {
-    Products folds[2] = {};
-    for (std::size_t start = 0; start < weights.size(); start += block) {
-      const std::size_t end = std::min(weights.size(), start + block);
-      const std::size_t first = std::max(start, delay);
-      if (first >= end) continue;
-      folds[(start / block) % 2] += sum_up(end - first, [&](std::size_t k) {
-        const EightPart response = part_of(responses[first + k - delay], part);
-        return Products{response * weighted_pv[first + k],
-                        weights[first + k] * response * response};
-      });
-    }
-    for (std::size_t fold = 0; fold < 2; ++fold) {
-      put_part(result[fold].cross, part, folds[fold].cross);
-      put_part(result[fold].square, part, folds[fold].square);
+/// Of one block and one delay, whose responses lie ready.
+Products products_in(Range block, std::span<const EightNumbers> responses, std::size_t delay,
+                     std::size_t part, const WeighedPv& pv) {
+  return sum_up(block.end - block.first, [&](std::size_t i) {
+    const std::size_t k = block.first + i;
+    const EightPart response = part_of(responses[k - delay], part);
+    return Products{response * pv.weighted[k], pv.weights[k] * response * response};
+  });
+}
+
+void add(const Products& products, std::size_t part, FoldSums& sums) {
+  put_part(sums.cross, part, part_of(sums.cross, part) + products.cross);
+  put_part(sums.square, part, part_of(sums.square, part) + products.square);
+}
+
+/// Each block of responses is used for all delays while the caches hold it.
+void multiply(BandWidths widths, std::span<const EightNumbers> sums,
+              std::span<const std::size_t> delays, const WeighedPv& pv,
+              std::array<FoldSums, 2>* folds) {
+  const std::size_t count = pv.weights.size();
+  std::vector<EightNumbers> responses(count);
+  EightNumbers nothing;
+  std::ranges::fill(nothing.numbers, 0.0);
+  std::fill_n(folds, delays.size(),
+              std::array{FoldSums{nothing, nothing}, FoldSums{nothing, nothing}});
+  for (std::size_t start = 0; start < count; start += pv.block) {
+    const std::size_t end = std::min(count, start + pv.block);
+    pass_some<EightPart>(widths, flat(sums), kSideBySide, {start, end}, first_of(responses));
+    for (std::size_t d = 0; d < delays.size(); ++d) {
+      const Range block{std::max(start, delays[d]), end};
+      if (block.first >= end) continue;
+      FoldSums& fold = folds[d][(start / pv.block) % 2];
+      for (std::size_t part = 0; part < kVectorsOfEight; ++part)
+        add(products_in(block, responses, delays[d], part, pv), part, fold);
     }
   }
-  return result;
 }
 
 constexpr CycleKernel kCycleKernel{resample, respond, pass, multiply};

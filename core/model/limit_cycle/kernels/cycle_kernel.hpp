@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "core/model/record/loop_data.hpp"
 #include "core/model/vectors/eight_numbers.hpp"
 
 namespace loopscope::core::model {
@@ -27,6 +28,13 @@ struct FoldSums {
   EightNumbers square;  ///< of the response
 };
 
+/// What responses are compared with.
+struct WeighedPv {
+  std::span<const double> weighted;  ///< pv times its weight
+  std::span<const double> weights;   ///< 0 or 1
+  std::size_t block = 1;             ///< so many samples go to the two folds by turns
+};
+
 /// What the judge of limit cycles does along records, for one kind of processor; all kinds give the
 /// same results, to the last digit. Series that go side by side have kSideBySide numbers a sample,
 /// others one: their `stride`.
@@ -40,11 +48,10 @@ struct CycleKernel {
                   EightNumbers* const* sums);
   /// passed: the short mean less the long one, of series given by `sums` as respond() has them.
   void (*pass)(BandWidths widths, std::span<const double> sums, std::size_t stride, double* passed);
-  /// Blocks of `block` samples go to the two folds by turns; the response comes `delay` later.
-  /// `weighted_pv` = pv times its weight, 0 or 1.
-  std::array<FoldSums, 2> (*multiply)(std::span<const EightNumbers> responses, std::size_t delay,
-                                      std::span<const double> weighted_pv,
-                                      std::span<const double> weights, std::size_t block);
+  /// folds[i]: of the responses that pass() makes of `sums`, delays[i] later.
+  void (*multiply)(BandWidths widths, std::span<const EightNumbers> sums,
+                   std::span<const std::size_t> delays, const WeighedPv& pv,
+                   std::array<FoldSums, 2>* folds);
 };
 
 /// The fastest that this processor can run.

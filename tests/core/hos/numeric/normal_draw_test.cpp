@@ -54,7 +54,8 @@ TEST(NormalDraw, WithinLimitsFollowsTheLawBetweenThem) {
 TEST(NormalDraw, BetweenNearLimitsFollowsTheLawToo) {
   const auto density = [](double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * M_PI); };
   const auto below = [](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); };
-  for (const auto& [low, high] : {std::pair{0.5, 1.2}, std::pair{-0.9, 0.1}, std::pair{3.0, 3.3}}) {
+  for (const auto& [low, high] : {std::pair{0.5, 1.2}, std::pair{-0.9, 0.1}, std::pair{3.0, 3.3},
+                                  std::pair{-2.5, -0.6}, std::pair{0.45, 1.4}}) {
     std::mt19937_64 random(1);
     const double expected = (density(low) - density(high)) / (below(high) - below(low));
     const MeanAndVariance found =
@@ -64,9 +65,28 @@ TEST(NormalDraw, BetweenNearLimitsFollowsTheLawToo) {
   }
 }
 
+/// Beyond x the law's variance is 1 + x h - h^2, h its mean there.
+TEST(NormalDraw, InATailHasTheVarianceOfTheLawThere) {
+  for (const double low : {0.6, 1.5, 4.0}) {
+    std::mt19937_64 random(2);
+    const double tail = 0.5 * std::erfc(low / std::sqrt(2.0));
+    const double mean = std::exp(-0.5 * low * low) / std::sqrt(2.0 * M_PI) / tail;
+    const double expected = 1.0 + low * mean - mean * mean;
+    const MeanAndVariance found =
+        moments_of([&] { return normal_draw_within(0.0, 1.0, low, kInfinity, random); });
+    EXPECT_NEAR(found.variance, expected, 0.06 * expected) << low;
+  }
+}
+
+TEST(NormalDraw, OfNoNumberIsNoNumber) {
+  std::mt19937_64 random(1);
+  EXPECT_TRUE(std::isnan(normal_draw_within(std::nan(""), 1.0, 0.0, 1.0, random)));
+  EXPECT_TRUE(std::isnan(normal_draw_within(0.0, std::nan(""), 0.0, 1.0, random)));
+}
+
 TEST(NormalDraw, StaysWithinItsLimitsHoweverFarOut) {
   std::mt19937_64 random(1);
-  for (const double off : {-1e6, -30.0, 0.0, 30.0, 1e6}) {
+  for (const double off : {-1e300, -1e6, -30.0, 0.0, 30.0, 1e6, 1e300}) {
     for (int i = 0; i < 100; ++i) {
       const double value = normal_draw_within(0.0, 1.0, off, off + 0.1, random);
       EXPECT_GE(value, off);

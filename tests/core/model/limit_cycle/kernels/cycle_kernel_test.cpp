@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -82,11 +83,16 @@ TEST(CycleKernel, PassesAndAveragesEachSeriesAsIfItWereAlone) {
 /// As Eigen adds whole arrays, block by block, where it is compiled for SSE2: pairs by turns.
 TEST(CycleKernel, MultipliesInTheOrderOfArrays) {
   const CycleKernel& kernel = best_cycle_kernel();
-  const std::vector<EightNumbers> responses = passed_by(kernel, responses_by(kernel)[1]);
+  const std::vector<EightNumbers> sums = responses_by(kernel)[1];
+  const std::vector<EightNumbers> responses = passed_by(kernel, sums);
   Series pv = tests::white_noise(kRecord, 30), weights(kRecord, 1.0), weighted = pv;
   for (std::size_t k = 50; k < 60; ++k) weights[k] = weighted[k] = 0.0;
-  for (const std::size_t delay : {0U, 1U, 2U, 4U, 39U, 40U, 41U, 60U}) {
-    const auto folds = kernel.multiply(responses, delay, weighted, weights, kBlock);
+  const std::array<std::size_t, 8> delays{0, 1, 2, 4, 39, 40, 41, 60};
+  std::array<std::array<FoldSums, 2>, delays.size()> all_folds;
+  kernel.multiply(kWidths, sums, delays, {weighted, weights, kBlock}, all_folds.data());
+  for (std::size_t d = 0; d < delays.size(); ++d) {
+    const std::size_t delay = delays[d];
+    const auto& folds = all_folds[d];
     for (std::size_t place = 0; place < kSideBySide; ++place) {
       const Series response = series_at(place, responses);
       double cross[2] = {}, square[2] = {};
@@ -118,7 +124,9 @@ std::vector<double> numbers_by(const CycleKernel& kernel) {
     append(flat(sums), numbers);
     append(flat(passed), numbers);
     append(flat(kept), numbers);
-    for (const FoldSums& fold : kernel.multiply(passed, 3, pv, weights, kBlock)) {
+    std::array<FoldSums, 2> folds;
+    kernel.multiply(kWidths, sums, std::array<std::size_t, 1>{3}, {pv, weights, kBlock}, &folds);
+    for (const FoldSums& fold : folds) {
       append(flat({&fold.cross, 1}), numbers);
       append(flat({&fold.square, 1}), numbers);
     }
