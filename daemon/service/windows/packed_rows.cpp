@@ -126,7 +126,7 @@ std::vector<double> take_values(const char* bytes, std::size_t count, std::int8_
   }
   auto numbers = words_by_bytes<std::uint32_t>(bytes, count);
   sum_differences(numbers);
-  const double steps = kPowersOfTen[static_cast<std::size_t>(decimals)];
+  const double steps = kPowersOfTen[static_cast<std::uint8_t>(decimals)];
   for (const std::uint32_t word : numbers) {
     const auto number = static_cast<std::int32_t>(word);
     values.push_back(number == kMissingNumber ? core::signal::kMissing : number / steps);

@@ -23,7 +23,7 @@ class LaggedColumns {
   [[nodiscard]] Eigen::Index rows() const { return static_cast<Eigen::Index>(samples_); }
   [[nodiscard]] Eigen::Index columns() const { return static_cast<Eigen::Index>(columns_.size()); }
   /// Some rows of them, 0 where `recorded` (of all rows) is.
-  [[nodiscard]] Eigen::MatrixXd block(const Range& rows, const Eigen::ArrayXd& recorded) const;
+  [[nodiscard]] Eigen::MatrixXd block(const Range& range, const Eigen::ArrayXd& recorded) const;
 
  private:
   struct Column {
