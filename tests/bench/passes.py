@@ -1,11 +1,19 @@
 """Whole passes (`once`) over a plant that no build has analysed before."""
 
-import os
-
 import plant
 from builds import run_program, say, stage_breakdown
 
-CORES = len(os.sched_getaffinity(0))
+
+def core_times():
+    """(idle, all) ticks of all cores since the machine started, whoever used them: what the kernel
+    does for a pass stands in the books of no process."""
+    with open("/proc/stat", encoding="ascii") as file:
+        ticks = [int(word) for word in file.readline().split()[1:9]]
+    return ticks[3] + ticks[4], sum(ticks)
+
+
+def busy_share(before, after):
+    return 1.0 - (after[0] - before[0]) / (after[1] - before[1])
 
 
 def cpu_parts(done):
@@ -22,11 +30,11 @@ def note_parts(turns, build, prefix, done):
 
 def one_pass(build, shop, historian, server, loops):
     results = plant.Results(server, build, historian, shop.folder, loops, loops, {})
-    before = (historian.cpu_s(), server.cpu_s())
+    before, cores = (historian.cpu_s(), server.cpu_s()), core_times()
     done = run_program(build.program, "once", "--config", results.settings)
+    done["busy_share"] = busy_share(cores, core_times())
     done["historian_cpu_s"] = historian.cpu_s() - before[0]
     done["results_cpu_s"] = server.cpu_s() - before[1]
-    done["busy_share"] = sum(cpu_parts(done).values()) / (CORES * done["elapsed_s"])
     done["stages"] = stage_breakdown(results)
     analysed = int(results.sql("SELECT count(*) FROM loopscope.analysis WHERE usable")[0][0])
     if analysed != loops:
