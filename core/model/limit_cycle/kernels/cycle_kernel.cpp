@@ -98,7 +98,7 @@ template <typename Number>
 void pass_some(BandWidths widths, std::span<const double> sums, std::size_t stride, Range some,
                double* passed) {
   constexpr std::size_t kBytes = sizeof(Number);
-  const auto [long_half, short_half] = widths;
+  const std::size_t long_half = widths.long_half, short_half = widths.short_half;
   const std::size_t count = sums.size() / stride - 1;
   const auto each = [&](std::size_t k, auto difference) {
     for (std::size_t v = 0; v < stride; v += kBytes / sizeof(double)) {

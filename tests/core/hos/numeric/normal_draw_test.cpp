@@ -54,8 +54,9 @@ TEST(NormalDraw, WithinLimitsFollowsTheLawBetweenThem) {
 TEST(NormalDraw, BetweenNearLimitsFollowsTheLawToo) {
   const auto density = [](double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * M_PI); };
   const auto below = [](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); };
-  for (const auto& [low, high] : {std::pair{0.5, 1.2}, std::pair{-0.9, 0.1}, std::pair{3.0, 3.3},
-                                  std::pair{-2.5, -0.6}, std::pair{0.45, 1.4}}) {
+  for (const auto& limits : {std::pair{0.5, 1.2}, std::pair{-0.9, 0.1}, std::pair{3.0, 3.3},
+                             std::pair{-2.5, -0.6}, std::pair{0.45, 1.4}}) {
+    const double low = limits.first, high = limits.second;
     std::mt19937_64 random(1);
     const double expected = (density(low) - density(high)) / (below(high) - below(low));
     const MeanAndVariance found =
