@@ -29,7 +29,7 @@ double draw_nearly_flat(double from, double to, std::mt19937_64& random) {
 }
 
 /// Exponential draws between the limits, at the rate of which most are kept: three of four where
-/// the upper one is far (Robert 1995). What is not a number is returned and not drawn again.
+/// the upper one is far (Robert 1995).
 double draw_in_tail(double from, double to, std::mt19937_64& random) {
   from = std::min(from, kFarthest);
   const double rate = 0.5 * (from + std::sqrt(from * from + 4.0));
@@ -37,7 +37,7 @@ double draw_in_tail(double from, double to, std::mt19937_64& random) {
   for (;;) {
     const double value = from - std::log1p(-within * uniform_draw(random)) / rate;
     const double off = value - rate;
-    if (!(uniform_draw(random) > std::exp(-0.5 * off * off))) return value;
+    if (uniform_draw(random) <= std::exp(-0.5 * off * off)) return value;
   }
 }
 
@@ -47,6 +47,7 @@ double draw_between(double from, double to, std::mt19937_64& random) {
   if (from > kTail) return draw_in_tail(from, to, random);
   if (to < -kTail) return -draw_in_tail(-to, -from, random);
   double value = normal_draw(random);
+  // Limits that are no numbers end this at once.
   while (value < from || value > to) value = normal_draw(random);
   return value;
 }

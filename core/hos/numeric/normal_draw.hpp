@@ -14,8 +14,9 @@ namespace loopscope::core::hos {
 [[nodiscard]] double normal_draw(std::mt19937_64& random);
 
 /// One number of the normal law with this mean and standard deviation (> 0), given that it lies
-/// within low to high (low < high; either may be infinite), by rejection: exact, and without the
-/// distribution function. More than a million standard deviations out it is the nearer limit.
+/// within low to high (low <= high; either may be infinite), by rejection: exact, and without the
+/// distribution function. More than a million standard deviations out it is the nearer limit, or
+/// within a millionth of one of it.
 [[nodiscard]] double normal_draw_within(double mean, double std, double low, double high,
                                         std::mt19937_64& random);
 

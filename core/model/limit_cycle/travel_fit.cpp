@@ -130,10 +130,13 @@ bool TravelFit::cannot_beat(const TravelSums& sums, std::size_t place, double fi
   // Of the flow's squares; with more, what follows is good to 1e-9 of pv's.
   constexpr double kEnoughLeft = 1e-5;
   constexpr double kRoom = 1e-6;
+  // Products of smaller squares vanish.
+  constexpr double kSmallestSquare = 1e-100;
   const double sum = sums.sum[place], square = sums.square[place];
   const double per_trend = sums.with_trend[place] - trend_mean_ * sum;
   const double flow_left = square - sum * sum / count_ - per_trend * per_trend / trend_variation_;
   if (!(flow_left > kEnoughLeft * square) || !(variance_[kFitted] > 0.0)) return false;
+  if (!(std::min(square, pv_square_) > kSmallestSquare)) return false;
   const double with_pv =
       sums.with_pv[place] - sum * pv_sum_ / count_ - per_trend * pv_per_trend_ / trend_variation_;
   const double left = pv_left_ - with_pv * with_pv / flow_left;

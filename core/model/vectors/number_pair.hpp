@@ -3,7 +3,7 @@
 // Signals and valves go side by side in vectors as wide as the processor's. What does so stands in
 // headers called *-inl.hpp, in a namespace of each kind of processor: an inline function of two
 // kinds under one name would be one of them on every processor. Ordinary files include them as they
-// are; lane_kernel.cpp includes them once for each kind, as Highway's foreach_target.h asks, hence
+// are; kernels include them once for each kind, as Highway's foreach_target.h asks, hence
 // their guards that are turned round instead of set. What they stand on is compiled once.
 #include <cstddef>
 #include <cstdint>

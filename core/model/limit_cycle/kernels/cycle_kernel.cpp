@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 #include <vector>
 
+#include "core/model/record/loop_data.hpp"
 #include "core/model/vectors/eight_vectors-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <span>
 
-#include "core/model/record/loop_data.hpp"
 #include "core/model/vectors/eight_numbers.hpp"
 
 namespace loopscope::core::model {
@@ -48,7 +47,7 @@ struct CycleKernel {
                   EightNumbers* const* sums);
   /// passed: the short mean less the long one, of series given by `sums` as respond() has them.
   void (*pass)(BandWidths widths, std::span<const double> sums, std::size_t stride, double* passed);
-  /// folds[i]: of the responses that pass() makes of `sums`, delays[i] later.
+  /// folds[i]: of the responses that pass() makes of `sums`, one row more than pv, delays[i] later.
   void (*multiply)(BandWidths widths, std::span<const EightNumbers> sums,
                    std::span<const std::size_t> delays, const WeighedPv& pv,
                    std::array<FoldSums, 2>* folds);
