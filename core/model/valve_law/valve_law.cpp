@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 
-#include "core/model/valve_law/he_kernel.hpp"
 #include "core/model/valve_law/valve_between_samples.hpp"
+#include "core/model/valve_law/valve_kernel.hpp"
 #include "core/model/valve_law/valve_lanes-inl.hpp"
 
 namespace loopscope::core::model {
@@ -28,42 +27,6 @@ void follow(Friction friction, OpMotion<double> motion, ValveLanes<double, 1> va
   for (std::size_t k = 0; k < op.size(); ++k) {
     if (!std::isnan(op[k])) valve.step<law>(friction, motion.take(op[k]));
     mv[k] = valve.position[0];
-  }
-}
-
-/// Four valves that see op alike.
-class FourValves {
- public:
-  /// Fewer are followed by the last of them once more.
-  FourValves(std::span<const Valve> valves, double op) : motion_{op, valves[0].start_direction} {
-    for (std::size_t lane = 0; lane < kSideBySide / 2; ++lane)
-      valves_.put_in(lane, valves[std::min(lane, valves.size() - 1)], op, friction_);
-  }
-  template <ValveLaw law>
-  void step(double op) {
-    valves_.step<law>(friction_, motion_.take(op));
-  }
-  void write(double* positions) const {
-    std::memcpy(positions, &valves_.position, sizeof(valves_.position));
-  }
-
- private:
-  using Lanes = ValveLanes<NumberPair, kSideBySide / 4>;
-  Lanes valves_;
-  Lanes::Frictions friction_{};
-  OpMotion<double> motion_;
-};
-
-template <ValveLaw law>
-void follow(FourValves left, FourValves right, std::span<const double> op,
-            std::span<EightNumbers> mv) {
-  for (std::size_t k = 0; k < op.size(); ++k) {
-    if (!std::isnan(op[k])) {
-      left.step<law>(op[k]);
-      right.step<law>(op[k]);
-    }
-    left.write(mv[k].numbers);
-    right.write(mv[k].numbers + kSideBySide / 2);
   }
 }
 
@@ -110,14 +73,7 @@ void run_valves(std::span<const Valve> valves, std::span<const double> op,
   for (EightNumbers& row : mv.first(missing))
     std::ranges::fill(row.numbers, std::numeric_limits<double>::quiet_NaN());
   if (first == op.end()) return;
-  if (valves[0].law == ValveLaw::he)
-    return run_he_valves(valves, op.subspan(missing), mv.subspan(missing));
-  const std::size_t half = std::min(valves.size(), kSideBySide / 2);
-  const FourValves left(valves.first(half), *first);
-  const FourValves right(half < valves.size() ? valves.subspan(half) : valves, *first);
-  with_law(valves[0].law, [&]<ValveLaw law>() {
-    follow<law>(left, right, op.subspan(missing), mv.subspan(missing));
-  });
+  follow_valves(valves, op.subspan(missing), mv.subspan(missing));
 }
 
 }  // namespace loopscope::core::model

@@ -83,62 +83,83 @@ void respond(std::span<const EightNumbers> inputs, std::span<const LagStep> lags
   }
 }
 
-/// The sums before and behind a mean, and its width.
+/// Where the sums before and behind a mean stand.
 struct MeanEnds {
   std::size_t first, last;
   [[nodiscard]] double width() const { return static_cast<double>(last - first); }
 };
 
-/// Where a mean around k ends at an end of the record.
-MeanEnds ends_near(std::size_t k, std::size_t half, std::size_t count) {
-  return {k - std::min(k, half), std::min(count, k + half + 1)};
-}
-
-/// As many series at a time as a Number has. Samples first to end - 1.
+/// The short mean less the long one of series given by their sums, as many at a time as a Number
+/// has.
 template <typename Number>
-void pass_some(BandWidths widths, std::span<const double> sums, std::size_t stride, Range some,
-               double* passed) {
-  constexpr std::size_t kBytes = sizeof(Number);
-  const std::size_t long_half = widths.long_half, short_half = widths.short_half;
-  const std::size_t count = sums.size() / stride - 1;
-  const auto each = [&](std::size_t k, auto difference) {
-    for (std::size_t v = 0; v < stride; v += kBytes / sizeof(double)) {
-      const auto sum = [&](std::size_t at) {
-        Number number;
-        std::memcpy(&number, &sums[at * stride + v], kBytes);
-        return number;
-      };
-      const Number result = difference(sum);
-      std::memcpy(passed + k * stride + v, &result, kBytes);
+class BandPass {
+ public:
+  BandPass(BandWidths widths, std::span<const double> sums, std::size_t stride, double* passed)
+      : short_half_(widths.short_half),
+        long_half_(widths.long_half),
+        sums_(sums),
+        stride_(stride),
+        count_(sums.size() / stride - 1),
+        passed_(passed) {}
+
+  void run(Range samples) const {
+    const std::size_t inner = std::clamp(long_half_, samples.first, samples.end);
+    const std::size_t outer = std::clamp(count_ - std::min(count_, long_half_), inner, samples.end);
+    for (std::size_t k = samples.first; k < inner; ++k) near_end(k);
+    for (std::size_t k = inner; k < outer; ++k) inside(k);
+    for (std::size_t k = outer; k < samples.end; ++k) near_end(k);
+  }
+  void run() const { run({0, count_}); }
+
+ private:
+  static constexpr std::size_t kBytes = sizeof(Number);
+
+  /// passed(k) = difference(v), v the first of the series.
+  template <typename Difference>
+  void put(std::size_t k, Difference difference) const {
+    for (std::size_t v = 0; v < stride_; v += kBytes / sizeof(double)) {
+      const Number result = difference(v);
+      std::memcpy(passed_ + k * stride_ + v, &result, sizeof(result));
     }
-  };
-  const auto near_end = [&](std::size_t k) {
-    const MeanEnds s = ends_near(k, std::min({short_half, k, count - 1 - k}), count);
-    const MeanEnds l = ends_near(k, long_half, count);
-    each(k, [&](const auto& sum) {
-      return (sum(s.last) - sum(s.first)) / s.width() - (sum(l.last) - sum(l.first)) / l.width();
-    });
-  };
-  const std::size_t inner = std::clamp(long_half, some.first, some.end);
-  const std::size_t outer = std::clamp(count - std::min(count, long_half), inner, some.end);
-  const double short_share = 1.0 / static_cast<double>(2 * short_half + 1);
-  const double long_share = 1.0 / static_cast<double>(2 * long_half + 1);
-  for (std::size_t k = some.first; k < inner; ++k) near_end(k);
-  for (std::size_t k = inner; k < outer; ++k) {
-    each(k, [&](const auto& sum) {
-      return (sum(k + short_half + 1) - sum(k - short_half)) * short_share -
-             (sum(k + long_half + 1) - sum(k - long_half)) * long_share;
+  }
+  [[nodiscard]] Number sum_within(MeanEnds ends, std::size_t v) const {
+    Number first, last;
+    std::memcpy(&first, &sums_[ends.first * stride_ + v], sizeof(first));
+    std::memcpy(&last, &sums_[ends.last * stride_ + v], sizeof(last));
+    return last - first;
+  }
+  [[nodiscard]] MeanEnds ends_of(std::size_t k, std::size_t half) const {
+    return {k - std::min(k, half), std::min(count_, k + half + 1)};
+  }
+
+  void inside(std::size_t k) const {
+    put(k, [&](std::size_t v) {
+      return sum_within({k - short_half_, k + short_half_ + 1}, v) * short_share_ -
+             sum_within({k - long_half_, k + long_half_ + 1}, v) * long_share_;
     });
   }
-  for (std::size_t k = outer; k < some.end; ++k) near_end(k);
-}
+  void near_end(std::size_t k) const {
+    const MeanEnds narrow = ends_of(k, std::min({short_half_, k, count_ - 1 - k}));
+    const MeanEnds wide = ends_of(k, long_half_);
+    put(k, [&](std::size_t v) {
+      return sum_within(narrow, v) / narrow.width() - sum_within(wide, v) / wide.width();
+    });
+  }
+
+  std::size_t short_half_, long_half_;
+  double short_share_ = 1.0 / static_cast<double>(2 * short_half_ + 1);
+  double long_share_ = 1.0 / static_cast<double>(2 * long_half_ + 1);
+  std::span<const double> sums_;
+  std::size_t stride_;
+  std::size_t count_;  ///< samples; of sums there is one more
+  double* passed_;
+};
 
 void pass(BandWidths widths, std::span<const double> sums, std::size_t stride, double* passed) {
-  const Range all{0, sums.size() / stride - 1};
   if (stride == kSideBySide)
-    pass_some<EightPart>(widths, sums, stride, all, passed);
+    BandPass<EightPart>(widths, sums, stride, passed).run();
   else
-    pass_some<double>(widths, sums, stride, all, passed);
+    BandPass<double>(widths, sums, stride, passed).run();
 }
 
 struct Products {
@@ -200,13 +221,14 @@ void multiply(BandWidths widths, std::span<const EightNumbers> sums,
               std::array<FoldSums, 2>* folds) {
   const std::size_t count = pv.weights.size();
   std::vector<EightNumbers> responses(count);
+  const BandPass<EightPart> band(widths, flat(sums), kSideBySide, first_of(responses));
   EightNumbers nothing;
   std::ranges::fill(nothing.numbers, 0.0);
   std::fill_n(folds, delays.size(),
               std::array{FoldSums{nothing, nothing}, FoldSums{nothing, nothing}});
   for (std::size_t start = 0; start < count; start += pv.block) {
     const std::size_t end = std::min(count, start + pv.block);
-    pass_some<EightPart>(widths, flat(sums), kSideBySide, {start, end}, first_of(responses));
+    band.run({start, end});
     for (std::size_t d = 0; d < delays.size(); ++d) {
       const Range block{std::max(start, delays[d]), end};
       if (block.first >= end) continue;
