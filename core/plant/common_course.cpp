@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/plant/following.hpp"
-#include "core/plant/synchrony.hpp"
 #include "core/signal/loop_window.hpp"
 
 namespace loopscope::core::plant {
@@ -56,6 +55,7 @@ void CommonCourse::add_up() {
     for (std::int64_t j = one.envelope.first; j < one.envelope.end(); ++j)
       sums_[static_cast<std::size_t>(j - first_)].add(one.envelope.at(j), one.weight);
   whole_ = course_without(nullptr);
+  increments_ = measure_increments(whole_);
 }
 
 Envelope CommonCourse::course_without(const Aligned* left_out) const {
@@ -82,16 +82,21 @@ double CommonCourse::frequency_hz() const {
 }
 
 Follower CommonCourse::follow(std::size_t index, bool own_line) const {
+  const Envelope& envelope = envelopes_[index];
+  // Of the course of all: without the clearest loop it is noisy, and noise hides what follows it.
+  const Following of_all = plant::follow(envelope, whole_);
   const auto own = std::ranges::find(core_, index, &Aligned::index);
   const bool in_core = own != core_.end();
   const Envelope others = in_core ? course_without(&*own) : Envelope{};
-  const Envelope& course = in_core ? others : whole_;
-  const double p =
-      own_line ? compare(measure_increments(course), measure_increments(envelopes_[index])).p
-               : plant::follow(envelopes_[index], course).p;
-  // Of the course of all: without the clearest loop it is noisy, and noise hides what follows it.
+  const auto p = [&] {
+    if (own_line)
+      return compare(in_core ? measure_increments(others) : increments_,
+                     measure_increments(envelope))
+          .p;
+    return in_core ? plant::follow(envelope, others).p : of_all.p;
+  }();
   // An envelope is half the amplitude: a cosine of variance 1/2 has |z|^2 = 1/4.
-  return {index, p, 2.0 * plant::follow(envelopes_[index], whole_).followed};
+  return {index, p, 2.0 * of_all.followed};
 }
 
 }  // namespace loopscope::core::plant

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/plant/envelope.hpp"
+#include "core/plant/synchrony.hpp"
 
 namespace loopscope::core::plant {
 
@@ -56,6 +57,7 @@ class CommonCourse {
   std::int64_t first_ = 0;  ///< number of the first of sums_
   std::vector<Sum> sums_;
   Envelope whole_;
+  Increments increments_;  // of whole_
 };
 
 }  // namespace loopscope::core::plant

@@ -91,60 +91,57 @@ Envelope envelope_of(const Series<Value>& series, double frequency_hz) {
   return envelope;
 }
 
+/// Written without branches: the compiler does several at a time.
 template <typename Value>
 std::vector<float> means_of_two(std::span<const Value> values) {
-  std::vector<float> means;
-  means.reserve(values.size() / 2);
-  for (std::size_t k = 0; k + 1 < values.size(); k += 2) {
-    const bool one = std::isfinite(values[k]), other = std::isfinite(values[k + 1]);
-    const double sum = (one ? static_cast<double>(values[k]) : 0.0) +
-                       (other ? static_cast<double>(values[k + 1]) : 0.0);
-    means.push_back(one || other ? static_cast<float>(sum / (one && other ? 2.0 : 1.0))
-                                 : std::numeric_limits<float>::quiet_NaN());
+  std::vector<float> means(values.size() / 2);
+  for (std::size_t k = 0; k < means.size(); ++k) {
+    const auto one = static_cast<double>(values[2 * k]);
+    const auto other = static_cast<double>(values[2 * k + 1]);
+    const bool has_one = std::isfinite(one), has_other = std::isfinite(other);
+    const double sum = (has_one ? one : 0.0) + (has_other ? other : 0.0);
+    const double mean = has_one && has_other ? 0.5 * sum : sum;
+    means[k] =
+        has_one || has_other ? static_cast<float>(mean) : std::numeric_limits<float>::quiet_NaN();
   }
   return means;
 }
 
-}  // namespace
-
-Demodulator::Demodulator(const MemberLoop& loop)
-    : error_(loop.error),
-      interval_s_(loop.sample_interval_s),
-      start_s_(static_cast<double>(loop.start_us) * 1e-6) {
-  Level level{means_of_two(error_), 2.0 * interval_s_, start_s_ + 0.5 * interval_s_};
-  while (static_cast<double>(level.means.size()) >= kFewestMeans * kFewestPeriods) {
-    Level next{means_of_two(std::span<const float>(level.means)), 2.0 * level.interval_s,
-               level.start_s + 0.5 * level.interval_s};
-    levels_.push_back(std::move(level));
-    level = std::move(next);
-  }
+/// Whether means of two samples that lie so far apart are fine enough for the frequency.
+bool means_will_do(double interval_s, double frequency_hz) {
+  return 2.0 * interval_s * frequency_hz * kFewestMeans <= 1.0;
 }
 
-Envelope Demodulator::envelope(double frequency_hz) const {
-  const double periods = static_cast<double>(error_.size()) * interval_s_ * frequency_hz;
-  if (!(interval_s_ * frequency_hz * kShortestPeriod <= 1.0 && periods >= kFewestPeriods)) {
-    Envelope none;
-    none.frequency_hz = frequency_hz;
-    return none;
-  }
-  const Level* level = nullptr;
-  double gain = 1.0;
-  for (const Level& one : levels_) {
-    if (one.interval_s * frequency_hz * kFewestMeans > 1.0) break;
-    level = &one;
-    // The mean of two samples that lie half an interval of the means apart.
-    gain *= std::cos(0.5 * std::numbers::pi * frequency_hz * one.interval_s);
-  }
-  if (level == nullptr)
-    return envelope_of(Series<double>{error_, interval_s_, start_s_}, frequency_hz);
-  Envelope envelope =
-      envelope_of(Series<float>{level->means, level->interval_s, level->start_s}, frequency_hz);
+/// Envelope of means of two, of those of four ..., as far as they are fine enough.
+template <typename Value>
+Envelope envelope_of_means(const Series<Value>& series, double frequency_hz) {
+  if (!means_will_do(series.interval_s, frequency_hz)) return envelope_of(series, frequency_hz);
+  const std::vector<float> means = means_of_two(series.values);
+  Envelope envelope = envelope_of_means(
+      Series<float>{means, 2.0 * series.interval_s, series.start_s + 0.5 * series.interval_s},
+      frequency_hz);
+  // Of two samples that lie an interval apart.
+  const double gain = std::cos(std::numbers::pi * frequency_hz * series.interval_s);
   for (Complex& z : envelope.points) z /= gain;
   return envelope;
 }
 
+}  // namespace
+
+Envelope make_envelope(std::span<const double> error, double sample_interval_s,
+                       std::int64_t start_us, double frequency_hz) {
+  const double periods = static_cast<double>(error.size()) * sample_interval_s * frequency_hz;
+  if (!(sample_interval_s * frequency_hz * kShortestPeriod <= 1.0 && periods >= kFewestPeriods)) {
+    Envelope none;
+    none.frequency_hz = frequency_hz;
+    return none;
+  }
+  return envelope_of_means(
+      Series<double>{error, sample_interval_s, static_cast<double>(start_us) * 1e-6}, frequency_hz);
+}
+
 Envelope make_envelope(const MemberLoop& loop, double frequency_hz) {
-  return Demodulator(loop).envelope(frequency_hz);
+  return make_envelope(loop.error, loop.sample_interval_s, loop.start_us, frequency_hz);
 }
 
 std::complex<double> Envelope::at(std::int64_t point) const {

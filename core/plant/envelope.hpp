@@ -33,32 +33,13 @@ struct Envelope {
   [[nodiscard]] std::complex<double> at(std::int64_t point) const;
 };
 
-/// Takes one loop's error apart at any frequency. The error of the loop has to outlive it.
-class Demodulator {
- public:
-  explicit Demodulator(const MemberLoop& loop);
-
-  /// The error's fundamental at `frequency_hz` in Hann windows of two periods, the shortest that is
-  /// blind to the mean and to every further harmonic. Empty when a period is shorter than
-  /// kShortestPeriod or the record is shorter than kFewestPeriods. Slow oscillations are taken from
-  /// means of 2, 4, 8 ... samples, at least sixteen of which make a period.
-  [[nodiscard]] Envelope envelope(double frequency_hz) const;
-
- private:
-  /// Means of 2^k samples.
-  struct Level {
-    std::vector<float> means;  ///< NaN = nothing recorded
-    double interval_s = 1.0;
-    double start_s = 0.0;  ///< middle of the first
-  };
-
-  std::span<const double> error_;
-  double interval_s_;
-  double start_s_;
-  std::vector<Level> levels_;  ///< from two samples on
-};
-
-/// Demodulator(loop).envelope(frequency_hz).
+/// The error's fundamental at `frequency_hz` in Hann windows of two periods, the shortest that is
+/// blind to the mean and to every further harmonic. `sample_interval_s` > 0, `start_us` of the
+/// first sample, microseconds UTC since 1970. Empty when a period is shorter than kShortestPeriod
+/// or the record is shorter than kFewestPeriods. Slow oscillations are taken from means of 2, 4, 8
+/// ... samples, at least sixteen of which make a period.
+[[nodiscard]] Envelope make_envelope(std::span<const double> error, double sample_interval_s,
+                                     std::int64_t start_us, double frequency_hz);
 [[nodiscard]] Envelope make_envelope(const MemberLoop& loop, double frequency_hz);
 
 }  // namespace loopscope::core::plant

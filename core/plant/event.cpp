@@ -13,7 +13,6 @@
 #include "core/plant/false_discovery.hpp"
 #include "core/plant/following.hpp"
 #include "core/plant/hub.hpp"
-#include "core/plant/loop_records.hpp"
 #include "core/plant/synchrony.hpp"
 
 namespace loopscope::core::plant {
@@ -107,13 +106,11 @@ void join(Event& event, const Event& other) {
 
 class Search {
  public:
-  Search(std::span<const MemberLoop> loops, const PlantSettings& settings)
-      : settings_(settings), events_of_(loops.size()) {
-    for (std::size_t i = 0; i < loops.size(); ++i) {
-      records_.emplace_back(loops[i]);
-      for (const SpectralLine& line : records_.back().lines(kFaintLine))
+  Search(std::span<const LoopRecords> records, const PlantSettings& settings)
+      : settings_(settings), records_(records), events_of_(records.size()) {
+    for (std::size_t i = 0; i < records_.size(); ++i)
+      for (const SpectralLine& line : records_[i].lines(kFaintLine))
         centres_.push_back(make_centre(i, line));
-    }
     std::ranges::stable_sort(centres_, {}, [](const Centre& c) { return c.line.p; });
     if (std::ssize(centres_) > kMostCentres)
       centres_.erase(centres_.begin() + kMostCentres, centres_.end());
@@ -149,32 +146,39 @@ class Search {
 
   void look_about(const Centre& centre) {
     const std::vector<Envelope>& envelopes = envelopes_at(centre.step);
-    const Hub hub = hub_about(centre, envelopes);
+    const std::vector<bool> has_line = lines_at(centre.line.frequency_hz, envelopes);
+    const Hub hub = hub_about(centre, envelopes, has_line);
     const double hub_p = hub.p * static_cast<double>(centres_.size());
     if (hub.neighbours.empty() || hub_p > settings_.event_p) return;
     std::vector<std::size_t> core{hub.centre};
     core.insert(core.end(), hub.neighbours.begin(), hub.neighbours.end());
     const CommonCourse course(envelopes, core);
     Event event{course.frequency_hz(), hub_p,
-                members_of(course, envelopes, centre.line.frequency_hz)};
+                members_of(course, envelopes, has_line, centre.line.frequency_hz)};
     if (event.members.size() < 2) return;
     event.p = std::max(event.p, shared_line_p(centre, event.members));
     if (event.p <= settings_.event_p) add(std::move(event));
   }
 
-  [[nodiscard]] bool has_line(std::size_t index, double frequency_hz) const {
-    return records_[index].share(frequency_hz) > 0.0;
+  /// Which of those with an envelope have a line of their own.
+  [[nodiscard]] std::vector<bool> lines_at(double frequency_hz,
+                                           const std::vector<Envelope>& envelopes) const {
+    std::vector<bool> has_line(records_.size());
+    for (std::size_t i = 0; i < records_.size(); ++i)
+      has_line[i] = !envelopes[i].points.empty() && records_[i].share(frequency_hz) > 0.0;
+    return has_line;
   }
 
   /// Loops with a line of their own here have to keep step, the others to follow: two families, of
   /// which the one that says less may still join.
-  [[nodiscard]] Hub hub_about(const Centre& centre, const std::vector<Envelope>& envelopes) const {
+  [[nodiscard]] Hub hub_about(const Centre& centre, const std::vector<Envelope>& envelopes,
+                              const std::vector<bool>& has_line) const {
     std::vector<Neighbour> lines, others;
     const Envelope& own = envelopes[centre.index];
     const Increments increments = measure_increments(own);
     for (std::size_t i = 0; i < envelopes.size(); ++i) {
       if (i == centre.index || envelopes[i].points.empty()) continue;
-      if (has_line(i, centre.line.frequency_hz))
+      if (has_line[i])
         lines.push_back({i, compare(increments, measure_increments(envelopes[i])).p});
       else
         others.push_back({i, follow(envelopes[i], own).p});
@@ -192,15 +196,15 @@ class Search {
   /// the others: most of the first belong, few of the second.
   [[nodiscard]] std::vector<EventMember> members_of(const CommonCourse& course,
                                                     const std::vector<Envelope>& envelopes,
+                                                    const std::vector<bool>& has_line,
                                                     double frequency_hz) const {
     std::vector<EventMember> lines, others;
     for (std::size_t i = 0; i < records_.size(); ++i) {
       if (envelopes[i].points.empty()) continue;
-      const bool line = has_line(i, frequency_hz);
-      const Follower found = course.follow(i, line);
+      const Follower found = course.follow(i, has_line[i]);
       const double variance = records_[i].variance(frequency_hz);
       const double share = variance > 0.0 ? found.followed / variance : 0.0;
-      (line ? lines : others).push_back({i, found.p, std::min(1.0, share)});
+      (has_line[i] ? lines : others).push_back({i, found.p, std::min(1.0, share)});
     }
     std::vector<EventMember> found = discover(lines);
     std::ranges::move(discover(others), std::back_inserter(found));
@@ -270,7 +274,7 @@ class Search {
   }
 
   const PlantSettings& settings_;
-  std::vector<LoopRecords> records_;
+  std::span<const LoopRecords> records_;
   std::vector<Centre> centres_;  // put_in_order
   double step_ = 0.0;            // of envelopes_
   std::vector<Envelope> envelopes_;
@@ -280,8 +284,14 @@ class Search {
 
 }  // namespace
 
+std::vector<Event> find_events(std::span<const LoopRecords> records,
+                               const PlantSettings& settings) {
+  return Search(records, settings).run();
+}
+
 std::vector<Event> find_events(std::span<const MemberLoop> loops, const PlantSettings& settings) {
-  return Search(loops, settings).run();
+  const std::vector<LoopRecords> records(loops.begin(), loops.end());
+  return find_events(records, settings);
 }
 
 }  // namespace loopscope::core::plant

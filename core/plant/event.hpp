@@ -4,13 +4,14 @@
 #include <span>
 #include <vector>
 
+#include "core/plant/loop_records.hpp"
 #include "core/plant/shared_oscillation.hpp"
 
 namespace loopscope::core::plant {
 
 /// One loop of an event.
 struct EventMember {
-  std::size_t index = 0;  ///< in the loops that were given
+  std::size_t index = 0;  ///< in the loops, or records, that were given
   double p = 1.0;         ///< Follower::p against the course of the others
   double strength = 0.0;  ///< share of the error's variance in the oscillation, 0 to 1
 };
@@ -33,6 +34,8 @@ struct Event {
 /// A line that lies in an event of its loop, or at a harmonic of it, begins no other one; events of
 /// one line that share most loops are one. Loops and settings are not checked here
 /// (find_shared_oscillations() does).
+[[nodiscard]] std::vector<Event> find_events(std::span<const LoopRecords> records,
+                                             const PlantSettings& settings);
 [[nodiscard]] std::vector<Event> find_events(std::span<const MemberLoop> loops,
                                              const PlantSettings& settings);
 

@@ -1,6 +1,7 @@
 #include "core/plant/loop_records.hpp"
 
 #include <cmath>
+#include <span>
 
 namespace loopscope::core::plant {
 namespace {
@@ -17,23 +18,31 @@ double variance_of(std::span<const double> series) {
   return count > 0.0 ? squares / count : 0.0;
 }
 
-MemberLoop with_longer_record(const MemberLoop& loop) {
-  MemberLoop longer;
-  longer.sample_interval_s = loop.longer.sample_interval_s;
-  longer.start_us = loop.longer.start_us;
-  longer.error = loop.longer.error;
-  return longer;
+double slowest_of(const PackedError& error) {
+  if (error.empty()) return 0.0;
+  return kFewestPeriods / (static_cast<double>(error.size()) * error.sample_interval_s());
 }
 
 }  // namespace
 
-LoopRecords::Record::Record(const MemberLoop& loop)
-    : demodulator(loop),
-      spectrum(loop.error, loop.sample_interval_s),
-      variance(variance_of(loop.error)) {}
+LoopRecords::Record::Record(PackedError packed) : error(std::move(packed)) {
+  const signal::Samples samples = error.unpacked();
+  spectrum = LineSpectrum(samples, error.sample_interval_s());
+  variance = variance_of(samples);
+}
 
-LoopRecords::LoopRecords(const MemberLoop& loop) : record_(loop), slowest_hz_(slowest_hz(loop)) {
-  if (!loop.longer.error.empty()) longer_.emplace(with_longer_record(loop));
+LoopRecords::LoopRecords(PackedError error)
+    : record_(std::move(error)), slowest_hz_(slowest_of(record_.error)) {}
+
+LoopRecords::LoopRecords(const MemberLoop& loop)
+    : LoopRecords(PackedError(loop.error, loop.sample_interval_s, loop.start_us)) {
+  const LongerRecord& longer = loop.longer;
+  if (!longer.error.empty())
+    add_longer(PackedError(longer.error, longer.sample_interval_s, longer.start_us));
+}
+
+double LoopRecords::slower_share() const {
+  return record_.spectrum.share_below(slowest_hz_);
 }
 
 const LoopRecords::Record& LoopRecords::at(double frequency_hz) const {
@@ -49,7 +58,7 @@ std::vector<SpectralLine> LoopRecords::lines(double largest_p) const {
 }
 
 Envelope LoopRecords::envelope(double frequency_hz) const {
-  return at(frequency_hz).demodulator.envelope(frequency_hz);
+  return at(frequency_hz).error.envelope(frequency_hz);
 }
 
 std::array<double, kLineShapes> LoopRecords::evidence(double frequency_hz) const {
@@ -70,15 +79,6 @@ double LoopRecords::bands(double frequency_hz) const {
 
 double LoopRecords::variance(double frequency_hz) const {
   return at(frequency_hz).variance;
-}
-
-double slowest_hz(const MemberLoop& loop) {
-  if (loop.error.empty()) return 0.0;
-  return kFewestPeriods / (static_cast<double>(loop.error.size()) * loop.sample_interval_s);
-}
-
-double slower_share(const MemberLoop& loop) {
-  return LineSpectrum(loop.error, loop.sample_interval_s).share_below(slowest_hz(loop));
 }
 
 }  // namespace loopscope::core::plant

@@ -31,6 +31,8 @@ inline constexpr std::size_t kLineShapes = 7;
 /// cycle are seen. `error` may hold NaN: gaps are bridged.
 class LineSpectrum {
  public:
+  /// Without a line.
+  LineSpectrum() = default;
   /// `sample_interval_s` > 0. Fewer than 256 samples, or constant ones, have no line.
   LineSpectrum(std::span<const double> error, double sample_interval_s);
 
@@ -68,6 +70,8 @@ class LineSpectrum {
     double share = 0.0;
     double half = 0.0;  ///< half width, cycles per record
   };
+  /// Of the bins before this one.
+  [[nodiscard]] double sum_before(std::size_t bin) const;
   [[nodiscard]] Power power(double low, double high) const;
   [[nodiscard]] Peak measure(double place, std::size_t shape_number) const;
   [[nodiscard]] Peak best_at(double place) const;
@@ -80,7 +84,9 @@ class LineSpectrum {
   double duration_s_ = 0.0;
   double stretch_ = 1.0;  // length of the transform by that of the record
   double bands_ = 0.0;
-  std::vector<double> sums_;  // of the periodogram, from 0
+  double total_ = 0.0;        // power of all bins
+  std::vector<float> power_;  // the periodogram
+  std::vector<double> sums_;  // of the bins before each block of them
 };
 
 }  // namespace loopscope::core::plant

@@ -21,9 +21,9 @@
 namespace loopscope::daemon {
 namespace {
 
-/// Of the errors that the comparison of all loops begins with: of four thousand windows. Those of
-/// further loops are read again.
-constexpr std::size_t kKeptErrorBytes = std::size_t{128} << 20;
+/// Of the errors that the comparison of all loops begins with: of the ten thousand windows that it
+/// takes at most. Those of further loops are read again.
+constexpr std::size_t kKeptErrorBytes = std::size_t{80} << 20;
 
 std::string pass_text(const PassResult& pass) {
   std::string text = count_text(pass.count);

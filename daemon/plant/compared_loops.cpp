@@ -7,14 +7,15 @@
 #include <utility>
 
 #include "core/diagnosis/verdicts/verdict_catalogue.hpp"
-#include "core/plant/loop_records.hpp"
 #include "daemon/text/printable.hpp"
 #include "storage/error.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
+using core::plant::LoopRecords;
 using core::plant::MemberLoop;
+using core::plant::PackedError;
 
 /// A longer span is so many windows: of loops of one second nine hours, 28 of the 20 minute cycles
 /// that level loops have.
@@ -37,10 +38,10 @@ MemberLoop loop_of(const storage::PlantCandidate& candidate) {
 }
 
 /// The slowest loops, those with the most power that their windows are too short for.
-std::vector<std::size_t> slow_ones(std::span<const MemberLoop> loops) {
+std::vector<std::size_t> slow_ones(std::span<const LoopRecords> loops) {
   std::vector<std::pair<double, std::size_t>> slow;
   for (std::size_t k = 0; k < loops.size(); ++k)
-    if (const double share = core::plant::slower_share(loops[k]); share >= kLeastSlower)
+    if (const double share = loops[k].slower_share(); share >= kLeastSlower)
       slow.emplace_back(share, k);
   std::ranges::stable_sort(slow, std::ranges::greater(), &std::pair<double, std::size_t>::first);
   if (slow.size() > kMostLonger) slow.resize(kMostLonger);
@@ -49,18 +50,31 @@ std::vector<std::size_t> slow_ones(std::span<const MemberLoop> loops) {
   return numbers;
 }
 
+LoopRecords record_of(const PlantSeries& series) {
+  return LoopRecords(PackedError(series.error, series.sample_interval_s, series.start_us));
+}
+
+/// Of a loop whose rows have gone since.
+PlantSeries error_of(const PackedError& packed) {
+  PlantSeries series;
+  series.sample_interval_s = packed.sample_interval_s();
+  series.start_us = packed.start_us();
+  series.error = packed.unpacked();
+  return series;
+}
+
 }  // namespace
 
 ComparedLoops::ComparedLoops(std::vector<storage::PlantCandidate> candidates,
                              const config::Settings& settings, SharedServices& tools)
     : candidates_(std::move(candidates)), settings_(settings), tools_(tools) {
   for (const storage::PlantCandidate& candidate : candidates_) loops_.push_back(loop_of(candidate));
-  records_.resize(loops_.size());
-  longer_.resize(loops_.size());
+  records_.resize(loops_.size(), LoopRecords(PackedError()));
+  series_.resize(loops_.size());
 }
 
-void ComparedLoops::show(std::size_t loop, PlantSeries record) {
-  PlantSeries& kept = records_[loop] = std::move(record);
+void ComparedLoops::show(std::size_t loop, PlantSeries series) {
+  PlantSeries& kept = series_[loop] = std::move(series);
   MemberLoop& shown = loops_[loop];
   shown.sample_interval_s = kept.sample_interval_s;
   shown.start_us = kept.start_us;
@@ -71,36 +85,40 @@ void ComparedLoops::show(std::size_t loop, PlantSeries record) {
 }
 
 bool ComparedLoops::read_errors() {
-  std::vector<std::size_t> all(loops_.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  auto series = read_plant_series(candidates_, all, {}, settings_, tools_);
-  if (tools_.stop.stop_requested()) return false;
-  for (const std::size_t k : all) show(k, std::move(series[k]));
-  return true;
+  std::vector<std::size_t> others;
+  {
+    const CoreGate::Permit core(tools_.cores);
+    for (std::size_t k = 0; k < candidates_.size(); ++k) {
+      const storage::PlantCandidate& candidate = candidates_[k];
+      if (auto kept = tools_.errors.take(candidate.loop.loop_id, candidate.slot_end_us))
+        records_[k] = LoopRecords(std::move(*kept));
+      else
+        others.push_back(k);
+    }
+  }
+  return read_plant_series(
+      candidates_, others, {}, settings_, tools_,
+      [&](std::size_t k, const PlantSeries& series) { records_[others[k]] = record_of(series); });
 }
 
 bool ComparedLoops::read_longer() {
   std::vector<std::size_t> slow;
   {
     const CoreGate::Permit core(tools_.cores);
-    slow = slow_ones(loops_);
+    slow = slow_ones(records_);
   }
-  std::vector<PlantSeries> series;
   try {
-    series = read_plant_series(candidates_, slow, {.windows = kLongerWindows, .error_only = true},
-                               settings_, tools_);
+    return read_plant_series(candidates_, slow, {.windows = kLongerWindows, .error_only = true},
+                             settings_, tools_, [&](std::size_t k, const PlantSeries& series) {
+                               records_[slow[k]].add_longer(PackedError(
+                                   series.error, series.sample_interval_s, series.start_us));
+                             });
   } catch (const storage::DatabaseError& error) {
     // Old rows may be out of reach where new ones are not: the round goes on without them.
     spdlog::warn("plant round: slow swings are not compared, {} HINT: {}", printable(error.what()),
                  printable(error.hint()));
     return true;
   }
-  if (tools_.stop.stop_requested()) return false;
-  for (std::size_t k = 0; k < slow.size(); ++k) {
-    const PlantSeries& one = longer_[slow[k]] = std::move(series[k]);
-    loops_[slow[k]].longer = {one.sample_interval_s, one.start_us, one.error};
-  }
-  return true;
 }
 
 bool ComparedLoops::read_members(std::span<const core::plant::Event> events) {
@@ -108,9 +126,8 @@ bool ComparedLoops::read_members(std::span<const core::plant::Event> events) {
   for (const core::plant::Event& event : events)
     for (const core::plant::EventMember& one : event.members) {
       all.push_back(one.index);
-      const bool has_longer = !loops_[one.index].longer.error.empty();
-      if (has_longer &&
-          event.frequency_hz < kFewForForecasts * core::plant::slowest_hz(loops_[one.index]))
+      const LoopRecords& records = records_[one.index];
+      if (records.has_longer() && event.frequency_hz < kFewForForecasts * records.slowest_hz())
         longer.push_back(one.index);
     }
   if (!read_members(all, 1)) return false;
@@ -122,22 +139,25 @@ bool ComparedLoops::read_members(std::span<const core::plant::Event> events) {
 }
 
 bool ComparedLoops::read_members(std::span<const std::size_t> members, std::size_t windows) {
-  auto series = read_plant_series(candidates_, members, {.windows = windows, .error_only = false},
-                                  settings_, tools_);
-  if (tools_.stop.stop_requested()) return false;
-  for (std::size_t k = 0; k < members.size(); ++k)
-    if (!series[k].error.empty()) show(members[k], std::move(series[k]));
-  return true;
+  return read_plant_series(candidates_, members, {.windows = windows, .error_only = false},
+                           settings_, tools_, [&](std::size_t k, PlantSeries&& series) {
+                             const std::size_t loop = members[k];
+                             if (!series.error.empty())
+                               show(loop, std::move(series));
+                             else if (loops_[loop].error.empty())
+                               show(loop, error_of(records_[loop].error()));
+                           });
 }
 
 std::int64_t ComparedLoops::read() const {
-  return std::ranges::count_if(loops_, [](const MemberLoop& loop) { return !loop.error.empty(); });
+  return std::ranges::count_if(records_,
+                               [](const LoopRecords& loop) { return !loop.error().empty(); });
 }
 
 std::int64_t ComparedLoops::oscillating() const {
   std::int64_t count = 0;
-  for (std::size_t k = 0; k < loops_.size(); ++k)
-    count += candidates_[k].oscillating && !loops_[k].error.empty() ? 1 : 0;
+  for (std::size_t k = 0; k < records_.size(); ++k)
+    count += candidates_[k].oscillating && !records_[k].error().empty() ? 1 : 0;
   return count;
 }
 

@@ -8,15 +8,16 @@
 #include "config/settings.hpp"
 #include "core/plant/cascade.hpp"
 #include "core/plant/event.hpp"
+#include "core/plant/loop_records.hpp"
 #include "core/plant/member_loop.hpp"
 #include "daemon/plant/plant_series.hpp"
 #include "storage/results/plant/plant_candidates.hpp"
 
 namespace loopscope::daemon {
 
-/// The loops of one comparison, read in three steps, so that ten thousand need little more memory
-/// than their errors: everybody's error; a longer span of those that swing too slowly for their
-/// window; sp, pv and op of the members of what was found. Every step returns false when the
+/// The loops of one comparison, read in three steps, so that ten thousand fit into memory:
+/// everybody's error, packed; a longer span of those that swing too slowly for their window; error,
+/// sp, pv and op of the members of what was found. Every step returns false when the
 /// process shall end, and throws as read_plant_series(); read_longer() only says in the log that a
 /// database has failed, and the loops stay without longer spans. For one thread.
 class ComparedLoops {
@@ -30,7 +31,9 @@ class ComparedLoops {
   /// Of the members, in their newest windows as they were sampled; once they are read.
   [[nodiscard]] std::span<const core::plant::CascadePair> cascades() const { return cascades_; }
 
-  /// In the order of the candidates; the error of one whose rows are gone is empty.
+  /// What is searched, in the order of the candidates; that of one whose rows are gone is empty.
+  [[nodiscard]] std::span<const core::plant::LoopRecords> records() const { return records_; }
+  /// The same loops; only members have series, once they are read.
   [[nodiscard]] std::span<const core::plant::MemberLoop> loops() const { return loops_; }
   /// Whose rows are there.
   [[nodiscard]] std::int64_t read() const;
@@ -39,14 +42,15 @@ class ComparedLoops {
  private:
   [[nodiscard]] bool read_members(std::span<const std::size_t> members, std::size_t windows);
 
-  void show(std::size_t loop, PlantSeries record);
+  void show(std::size_t loop, PlantSeries series);
 
   std::vector<storage::PlantCandidate> candidates_;
   const config::Settings& settings_;
   SharedServices& tools_;
-  std::vector<core::plant::MemberLoop> loops_;  // views of records_ and longer_
+  std::vector<core::plant::LoopRecords> records_;
+  std::vector<core::plant::MemberLoop> loops_;  // views of series_
   std::vector<core::plant::CascadePair> cascades_;
-  std::vector<PlantSeries> records_, longer_;  // of every loop; empty = not read
+  std::vector<PlantSeries> series_;  // of every loop; empty = not read
 };
 
 }  // namespace loopscope::daemon

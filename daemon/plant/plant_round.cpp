@@ -23,7 +23,7 @@ std::optional<storage::PlantRoundRecord> compare(ComparedLoops& compared, CoreGa
   std::vector<core::plant::Event> events;
   {
     const CoreGate::Permit core(cores);
-    events = core::plant::find_events(compared.loops(), {});
+    events = core::plant::find_events(compared.records(), {});
   }
   storage::PlantRoundRecord round;
   round.loops = compared.read();

@@ -96,8 +96,7 @@ void know_kept(const storage::PlantCandidate& candidate, const config::Settings&
 }
 
 void read_batch(storage::HistorianReader& historian, const LoopBatch& batch,
-                const config::Settings& settings, SharedServices& tools,
-                std::vector<PlantSeries>& series) {
+                const config::Settings& settings, SharedServices& tools, const TakeSeries& take) {
   std::vector<LoopSlot> slots;
   RowMemory memory;
   for (const std::size_t k : batch.numbers) {
@@ -110,50 +109,33 @@ void read_batch(storage::HistorianReader& historian, const LoopBatch& batch,
   const auto windows = read_windows(historian, slots, prepare.window_samples, memory);
   const CoreGate::Permit core(tools.cores);
   for (std::size_t i = 0; i < windows.size(); ++i)
-    series[batch.numbers[i]] = series_of(windows[i].window, batch.how, prepare);
-}
-
-/// Whether the pass before has kept it.
-bool take_kept(const storage::PlantCandidate& candidate, KeptErrors& errors, PlantSeries& series) {
-  auto kept = errors.take(candidate.loop.loop_id, candidate.slot_end_us);
-  if (!kept) return false;
-  series.sample_interval_s = kept->sample_interval_s;
-  series.start_us = kept->start_us;
-  series.error = std::move(kept->error);
-  return true;
+    take(batch.numbers[i], series_of(windows[i].window, batch.how, prepare));
 }
 
 }  // namespace
 
-std::vector<PlantSeries> read_plant_series(Candidates candidates,
-                                           std::span<const std::size_t> wanted, SeriesWanted how,
-                                           const config::Settings& settings,
-                                           SharedServices& tools) {
-  std::vector<PlantSeries> series(wanted.size());
+bool read_plant_series(Candidates candidates, std::span<const std::size_t> wanted, SeriesWanted how,
+                       const config::Settings& settings, SharedServices& tools,
+                       const TakeSeries& take) {
   // The longer the windows, the fewer at a time: what a batch holds stays the same.
   const auto most = std::max<std::size_t>(
       1, static_cast<std::size_t>(settings.schedule.batch_loops) / how.windows);
-  auto sources = by_source(candidates, wanted);
+  const auto sources = by_source(candidates, wanted);
   // Before anything is read: one that the settings lack ends the round.
   for (const auto& [source, numbers] : sources) static_cast<void>(find_historian(settings, source));
-  if (how.windows == 1 && how.error_only)
-    for (auto& [source, numbers] : sources)
-      std::erase_if(numbers, [&](std::size_t k) {
-        return take_kept(candidates[wanted[k]], tools.errors, series[k]);
-      });
   for (const auto& [source, numbers] : sources) {
     const config::HistorianSettings& historian = find_historian(settings, source);
     for (std::size_t done = 0; done < numbers.size(); done += most) {
-      if (tools.stop.stop_requested()) return {};
+      if (tools.stop.stop_requested()) return false;
       const auto part = std::span(numbers).subspan(done, std::min(most, numbers.size() - done));
       tools.historians.with_reader(
           historian, source_terms(settings.schedule), [&](storage::HistorianReader& reader) {
-            read_batch(reader, {candidates, wanted, part, how}, settings, tools, series);
+            read_batch(reader, {candidates, wanted, part, how}, settings, tools, take);
             return true;
           });
     }
   }
-  return series;
+  return true;
 }
 
 }  // namespace loopscope::daemon

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
-#include <vector>
 
 #include "config/settings.hpp"
 #include "core/signal/loop_window.hpp"
@@ -30,13 +30,16 @@ struct SeriesWanted {
   bool error_only = true;   ///< 33 kB a loop instead of 130
 };
 
-/// Reads the newest windows of `wanted` (indices of candidates) again, in their order, a batch of
-/// one historian at a time, but for errors that a pass has kept (`tools.errors`), which are taken,
-/// and rows that the daemon has kept (`tools.windows`), as they were at its last visit; stops
-/// early, with an empty list, when the process shall end. Throws storage::DatabaseError when a
+/// What was read of wanted[k]; called with a core's permit, for every k once at most.
+using TakeSeries = std::function<void(std::size_t k, PlantSeries&& series)>;
+
+/// Reads the newest windows of `wanted` (indices of candidates) again, a batch of one historian at
+/// a time, but for rows that the daemon has kept (`tools.windows`), as they were at its last visit.
+/// False = it stopped early, since the process shall end. Throws storage::DatabaseError when a
 /// historian is away, Failure when the settings have no such source.
-[[nodiscard]] std::vector<PlantSeries> read_plant_series(
-    std::span<const storage::PlantCandidate> candidates, std::span<const std::size_t> wanted,
-    SeriesWanted how, const config::Settings& settings, SharedServices& tools);
+[[nodiscard]] bool read_plant_series(std::span<const storage::PlantCandidate> candidates,
+                                     std::span<const std::size_t> wanted, SeriesWanted how,
+                                     const config::Settings& settings, SharedServices& tools,
+                                     const TakeSeries& take);
 
 }  // namespace loopscope::daemon

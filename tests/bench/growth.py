@@ -54,8 +54,9 @@ class Meter:
 def first_slot(historian, results):
     meter = Meter(historian, results)
     done = run_program(results.build.program, "once", "--config", results.settings)
+    done |= meter.read()
     results.sql("VACUUM ANALYZE")
-    return done | meter.read()
+    return done
 
 
 def left_to_do(results):
@@ -74,7 +75,7 @@ def daemon_slot(historian, results, loops):
         daemon.look()
         if daemon.ended():
             raise RuntimeError("loopscope run ended by itself")
-        time.sleep(max(0.2, loops / 20000))
+        time.sleep(max(0.5, loops / 4000))  # the look reads the schedule, at the cost of the slot
     daemon.stop()
     done = daemon.wait()
     elapsed = results.sql("SELECT extract(epoch FROM max(analysed_at) - min(analysed_at))"
@@ -134,8 +135,9 @@ def flatness(sizes):
     return max(costs) / min(costs) - 1.0 if costs else None
 
 
-def measure(counts):
+def measure(counts, cache_mb):
     schedule = {"model_all_up_to": 0}  # turns at every size, so that sizes can be compared
+    more = None if cache_mb is None else {"daemon": {"cache_mb": cache_mb}}
     build = Build(OURS)
     with plant.Workshop() as shop:
         historian, server = shop.server(), shop.server()
@@ -144,11 +146,12 @@ def measure(counts):
         yesterday = f"({TODAY} - interval '1 day')"
         plant.add_history(historian, plant.RECORDINGS, 0, plant.WINDOW - 1, yesterday)
         plant.index_history(historian, covering=True)
+        plant.warm_history(historian)
         sizes, catalogues = [], []
         for loops in counts:
             say(f"{loops} loops ...")
             results = plant.Results(server, build, historian, shop.folder, loops,
-                                    plant.RECORDINGS, schedule)
+                                    plant.RECORDINGS, schedule, more)
             catalogues.append(results)
             sizes.append({"loops": loops})
             if loops <= TWO_SLOTS_UP_TO:
@@ -156,6 +159,7 @@ def measure(counts):
         plant.add_history(historian, plant.RECORDINGS, plant.WINDOW,
                           plant.WINDOW + plant.ROWS_A_DAY - 1, TODAY)
         plant.index_history(historian, covering=True)
+        plant.warm_history(historian)
         for size, results in zip(sizes, catalogues):
             say(f"{size['loops']} loops, by the daemon ...")
             slot = "later" if "first" in size else "first"
@@ -165,7 +169,8 @@ def measure(counts):
     return {"sizes": sizes, "laws": laws, "flatness": flatness(sizes),
             "peak_rss_mb": max(size[slot]["rss_mb"] for size in sizes for slot in SLOTS
                                if slot in size),
-            "million": [for_a_million(laws.get("later", laws.get("first")), period) for period in (SECONDS_A_DAY, 3600)]}
+            "million": [for_a_million(laws.get("later", laws.get("first")), period)
+                        for period in (SECONDS_A_DAY, 3600)]}
 
 
 def table(found):
@@ -209,8 +214,10 @@ def main():
     parser.add_argument("--json", action="store_true", help="one JSON object")
     parser.add_argument("--loops", type=sizes_of, default=[100, 1000, 10_000, 100_000],
                         metavar="N,N,...", help="sizes of the catalogue (100,1000,10000,100000)")
+    parser.add_argument("--cache-mb", type=int, metavar="N",
+                        help="the setting /daemon/cache_mb; 0 = no windows kept")
     options = parser.parse_args()
-    found = measure(options.loops)
+    found = measure(options.loops, options.cache_mb)
     print(json.dumps(found) if options.json else table(found))
 
 

@@ -17,13 +17,13 @@ void print_row(std::string_view loop, std::string_view setpoint, std::size_t rec
   std::fflush(stdout);
 }
 
-void print_head() {
+void print_unit_head() {
   std::puts("| loop | setpoint | number | not followed | doubted | shown | another unit |");
   std::puts("|---|---|---|---|---|---|---|");
 }
 
 LOOPSCOPE_TABLE(unit_match_size, "loops away from their setpoint whose units are said to differ") {
-  print_head();
+  print_unit_head();
   const std::size_t records = tests::records(5000);
   for (const auto setpoint : signals::kSetpoints)
     for (const auto why : signals::kElsewhere)
@@ -33,7 +33,7 @@ LOOPSCOPE_TABLE(unit_match_size, "loops away from their setpoint whose units are
 
 LOOPSCOPE_TABLE(unit_match_power,
                 "sound loops with their setpoint in another unit that are found") {
-  print_head();
+  print_unit_head();
   const std::size_t records = tests::records(500);
   for (const auto setpoint : signals::kSetpoints)
     for (const UnitConversion& conversion : unit_conversions(std::nullopt))

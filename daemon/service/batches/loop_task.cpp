@@ -212,13 +212,13 @@ CompletedLoop complete_task(const LoopTask& task, const StoredAnalyses& stored,
   return completed;
 }
 
-void keep_error(LoopTask& task, KeptErrors& errors) {
+void keep_error(const LoopTask& task, KeptErrors& errors) {
   const LoopWindow& window = task.newest.at_slot.window;
-  core::signal::Samples& error = task.newest.first.loop.error;
+  const core::signal::Samples& error = task.newest.first.loop.error;
   // Of a window that was cut the error begins later.
   if (error.size() != window.size()) return;
   errors.keep(task.claim->loop.loop_id, task.newest.at_slot.slot_end_us,
-              {window.sample_interval_s, window.start_us, std::move(error)});
+              core::plant::PackedError(error, window.sample_interval_s, window.start_us));
 }
 
 }  // namespace loopscope::daemon

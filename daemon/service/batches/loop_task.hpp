@@ -87,7 +87,7 @@ struct AnalysisOrders {
                                                    const AnalysisOrders& orders,
                                                    StageDriver& driver);
 
-/// Keeps the error of the newest slot, which the task has no use for any more.
-void keep_error(LoopTask& task, KeptErrors& errors);
+/// Keeps the error of the newest slot.
+void keep_error(const LoopTask& task, KeptErrors& errors);
 
 }  // namespace loopscope::daemon

@@ -3,8 +3,10 @@
 namespace loopscope::daemon {
 namespace {
 
-std::size_t bytes_of(const KeptErrors::Record& record) {
-  return record.error.size() * sizeof(double);
+using core::plant::PackedError;
+
+std::size_t bytes_of(const PackedError& error) {
+  return error.size() * sizeof(std::int16_t);
 }
 
 }  // namespace
@@ -14,16 +16,17 @@ void KeptErrors::allow(std::size_t bytes) {
   room_bytes_ = bytes;
 }
 
-void KeptErrors::keep(std::int64_t loop_id, std::int64_t slot_end_us, Record&& record) {
+void KeptErrors::keep(std::int64_t loop_id, std::int64_t slot_end_us, PackedError&& error) {
   const std::lock_guard lock(mutex_);
-  const std::size_t bytes = bytes_of(record);
+  const std::size_t bytes = bytes_of(error);
   if (bytes == 0 || bytes > room_bytes_) return;
-  if (records_.try_emplace({loop_id, slot_end_us}, std::move(record)).second) room_bytes_ -= bytes;
+  const std::pair window(loop_id, slot_end_us);
+  if (errors_.try_emplace(window, std::move(error)).second) room_bytes_ -= bytes;
 }
 
-std::optional<KeptErrors::Record> KeptErrors::take(std::int64_t loop_id, std::int64_t slot_end_us) {
+std::optional<PackedError> KeptErrors::take(std::int64_t loop_id, std::int64_t slot_end_us) {
   const std::lock_guard lock(mutex_);
-  auto found = records_.extract({loop_id, slot_end_us});
+  auto found = errors_.extract({loop_id, slot_end_us});
   if (found.empty()) return std::nullopt;
   room_bytes_ += bytes_of(found.mapped());
   return std::move(found.mapped());

@@ -1,6 +1,7 @@
 #include "storage/results/reports/list_loops.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <string>
@@ -11,7 +12,14 @@
 namespace loopscope::storage {
 namespace {
 
+// The verdicts are read by themselves. Joined to verdict_kind, PostgreSQL 15 looks at all members
+// of the shared oscillations once a loop (it takes the rescan of a hash join as free): the square
+// of the plant's size.
 const Statement kEveryLoop{"every_loop", R"(
+    WITH latest AS MATERIALIZED (
+      SELECT loop_id, code, slot_end, summary, follows, shown_code,
+             coalesce(combined_confidence, confidence) AS confidence
+      FROM loopscope.own_verdict)
     SELECT loop.loop_id, loop.name, loop.source, loop.loop_type, loop.area, loop.unit,
            loop.description, loop.enabled, loop.importance, latest.code, kind.is_fault,
            lower(concat_ws(' ', loop.name, loop.description, loop.owner)) AS searched,
@@ -20,13 +28,11 @@ const Statement kEveryLoop{"every_loop", R"(
                 THEN dense_rank() OVER (ORDER BY lower(loop.area)) END AS area_place,
            CASE WHEN loop.unit IS NOT NULL
                 THEN dense_rank() OVER (ORDER BY lower(loop.unit)) END AS unit_place,
-           coalesce(latest.combined_confidence, latest.confidence) AS confidence,
-           round(coalesce(latest.combined_confidence, latest.confidence)::numeric, 2)
-             AS probability,
+           latest.confidence, round(latest.confidence::numeric, 2) AS probability,
            (extract(epoch FROM latest.slot_end) * 1000000)::bigint AS slot_end_us,
            latest.summary, latest.follows, latest.shown_code, health.state AS health
     FROM loopscope.loop
-    LEFT JOIN loopscope.own_verdict AS latest USING (loop_id)
+    LEFT JOIN latest USING (loop_id)
     LEFT JOIN loopscope.verdict_kind AS kind ON kind.code = latest.code
     LEFT JOIN loopscope.monitor_health AS health USING (loop_id)
     ORDER BY loop.name)"};
@@ -93,8 +99,10 @@ std::vector<LoopRow> list_loops(Snapshot& snapshot, std::span<const FlaggedRow> 
   std::map<std::int64_t, const FlaggedRow*> listed;
   for (const FlaggedRow& row : flagged) listed.emplace(row.loop_id, &row);
   const std::map<std::int64_t, std::string> reasons = reasons_by_loop(hidden);
+  const pqxx::result rows = snapshot.run(kEveryLoop);
   std::vector<LoopRow> loops;
-  for (const pqxx::row& row : snapshot.run(kEveryLoop)) {
+  loops.reserve(static_cast<std::size_t>(rows.size()));  // a row takes nearly a kilobyte
+  for (const pqxx::row& row : rows) {
     LoopRow& loop = loops.emplace_back(read_listed(row));
     const auto said = reasons.find(loop.loop_id);
     if (const auto found = listed.find(loop.loop_id); found != listed.end()) {

@@ -146,7 +146,7 @@ TEST(Event, StrengthIsTheShareOfTheVariance) {
 }
 
 TEST(Event, NothingComesOfNothing) {
-  EXPECT_TRUE(find_events({}, {}).empty());
+  EXPECT_TRUE(find_events(std::span<const MemberLoop>(), {}).empty());
   const std::vector<double> still(kWindow, 0.0);
   const std::vector<MemberLoop> loops(5, tests::oscillating_loop(1, still));
   EXPECT_TRUE(find_events(loops, {}).empty());

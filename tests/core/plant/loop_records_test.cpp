@@ -51,7 +51,7 @@ TEST(LoopRecords, ASwingThatIsTooSlowForTheRecordIsReadFromTheLongerOne) {
   const MemberLoop loop = fast.loop(1);
   MemberLoop short_one = loop;
   short_one.longer = {};
-  EXPECT_GT(slower_share(loop), 0.7);
+  EXPECT_GT(LoopRecords(loop).slower_share(), 0.7);
   EXPECT_TRUE(LoopRecords(short_one).envelope(1.0 / kPeriod).points.empty());
   const LoopRecords records(loop);
   EXPECT_GE(records.envelope(1.0 / kPeriod).points.size(), 20U);
@@ -68,7 +68,7 @@ TEST(LoopRecords, FastSwingsAreReadFromTheRecordItself) {
   const MemberLoop loop = fast.loop(1);
   MemberLoop short_one = loop;
   short_one.longer = {};
-  EXPECT_LT(slower_share(loop), 0.2);
+  EXPECT_LT(LoopRecords(loop).slower_share(), 0.2);
   const double f = 1.0 / 40.0;
   EXPECT_EQ(LoopRecords(loop).share(f), LoopRecords(short_one).share(f));
   EXPECT_EQ(LoopRecords(loop).envelope(f).points, LoopRecords(short_one).envelope(f).points);

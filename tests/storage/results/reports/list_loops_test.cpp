@@ -1,6 +1,9 @@
+#include <chrono>
 #include <gmock/gmock.h>
+#include <thread>
 
 #include "storage/results/catalogue/catalogue.hpp"
+#include "storage/results/plant/plant_rounds.hpp"
 #include "storage/results/reports/report_database.hpp"
 #include "tests/storage/results/views_fixture.hpp"
 
@@ -76,6 +79,53 @@ TEST_F(ListLoopsTest, TellsTheDatabasesOrderAndSmallLetters) {
   ReportDatabase database_of(settings_for(*database));
   EXPECT_EQ(database_of.in_small_letters("reFLUX"), "reflux");
   EXPECT_EQ(database_of.in_small_letters("\xff"), "") << "no text of the database can hold it";
+}
+
+/// Two thousand loops of which all that is known is known of "member" as well.
+constexpr const char* kTwins = R"(
+    INSERT INTO loopscope.loop (name, source, sp_tag, pv_tag, op_tag, interval_s, period_s)
+    SELECT name || i, source, sp_tag, pv_tag, op_tag, interval_s, period_s
+    FROM loopscope.loop CROSS JOIN generate_series(1, 2000) AS i WHERE name = 'member';
+    UPDATE loopscope.schedule SET result_slot_end = known.result_slot_end,
+                                  last_slot_end = known.last_slot_end
+    FROM loopscope.schedule AS known JOIN loopscope.loop USING (loop_id)
+    WHERE loop.name = 'member' AND schedule.loop_id > known.loop_id;
+    INSERT INTO loopscope.analysis
+    SELECT (jsonb_populate_record(known, jsonb_build_object('loop_id', twin.loop_id, 'analysis_id',
+                                                            1000000 + twin.loop_id))).*
+    FROM loopscope.analysis AS known JOIN loopscope.loop USING (loop_id)
+    JOIN loopscope.loop AS twin ON twin.loop_id > known.loop_id WHERE loop.name = 'member';
+    INSERT INTO loopscope.verdict
+    SELECT (jsonb_populate_record(known, jsonb_build_object('loop_id', twin.loop_id, 'analysis_id',
+                                                            1000000 + twin.loop_id))).*
+    FROM loopscope.verdict AS known JOIN loopscope.loop USING (loop_id)
+    JOIN loopscope.loop AS twin ON twin.loop_id > known.loop_id WHERE loop.name = 'member')";
+
+/// Once a loop would be the square of the plant's size: the events of a large plant have thousands
+/// of members.
+TEST_F(ListLoopsTest, ReadsSharedOscillationsOnceWhateverTheNumberOfLoops) {
+  tell({{.loop = "member", .code = VerdictCode::healthy}});
+  database->execute(kTwins);
+  PlantEvent event;
+  event.period_s = 40.0;
+  event.p = 0.001;
+  for (const std::string& id :
+       column("SELECT loop_id FROM loopscope.loop WHERE name LIKE 'member%'"))
+    event.members.push_back({std::stoll(id), "member", 0.25, 3.0, 0.5});
+  PlantRounds(settings_for(*database)).store({slot(1), 1, 2000, 2000, {event}});
+  database->execute("ANALYZE");
+  const auto scans = [&] {
+    return std::stoll(
+        value("SELECT seq_scan + coalesce(idx_scan, 0) FROM pg_stat_user_tables"
+              " WHERE relname = 'plant_oscillation'"));
+  };
+  const auto before = scans();
+  EXPECT_EQ(find("member1007").follows.value_or("").substr(0, 4), "25 %");
+  // A session's scans are counted when it has ended.
+  for (int look = 0; look < 100 && scans() == before; ++look)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_GT(scans(), before);
+  EXPECT_LT(scans(), before + 20);
 }
 
 }  // namespace
