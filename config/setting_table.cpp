@@ -154,7 +154,8 @@ constexpr std::array kServiceSettings = {
             "oscillations); 0 = none"},
     Setting{
         "/plant/notice_s", in_plant<&PlantSettings::notice_s>, range(0, 86400, "s"),
-        "interval between two checks for newly flagged loops, which NOTIFY announces; 0 = none"},
+        "interval between two checks for newly flagged loops, which NOTIFY announces; longer where "
+        "a check takes more than a twentieth of it; 0 = none"},
 
     Setting{"/discovery/patterns", in_discovery<&DiscoverySettings::patterns>,
             any(Form::optional_text),

@@ -16,9 +16,10 @@ namespace loopscope::daemon {
 
 /// What is to be said of all loops together, on a thread of its own: compares them with each other
 /// every `plant.round_s` (one worker of the plant at a time does), and tells listeners of the
-/// results database of loops that are newly flagged (NOTIFY), every `plant.notice_s`, whether the
-/// comparison succeeds or not; judges repairs at every look, once a minute at least. Workers go on
-/// whatever happens here; a database that is away is a fault for the log.
+/// results database of loops that are newly flagged (NOTIFY), every `plant.notice_s` or, where that
+/// takes more than a twentieth of it, less often, whether the comparison succeeds or not; judges
+/// repairs at every look, once a minute at least. Workers go on whatever happens here; a database
+/// that is away is a fault for the log.
 class PlantWatch {
  public:
   /// Starts the thread; the destructor ends it and waits for what it is at.
@@ -46,6 +47,7 @@ class PlantWatch {
   SharedServices& tools_;
   std::optional<storage::PlantRounds> rounds_;  ///< until a look fails; of the thread
   Clock::time_point next_round_{};              ///< not before; of the thread
+  Clock::time_point next_notice_{};             ///< likewise
   int refusals_ = 0;  ///< looks in a row at which another had the turn; of the thread
   std::mutex mutex_;  ///< over settings_
   std::shared_ptr<const config::Settings> settings_;

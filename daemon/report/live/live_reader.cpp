@@ -32,11 +32,16 @@ constexpr PlantSnapshot::Clock::duration kFresh = std::chrono::seconds(5);
 /// So often without a reader, for so long after the last one: half a second of the database each.
 constexpr PlantSnapshot::Clock::duration kReadEvery = std::chrono::seconds(60);
 constexpr auto kReadyFor = std::chrono::hours(12);
+/// Rest by what the look before took: a twentieth of a core of the database is enough, with readers
+/// and, of a hundred thousand loops (half a minute a look), without.
 constexpr int kRest = 20;
 /// A database that is away, or hangs, must not keep the thread that makes pages of what is at hand.
 constexpr auto kPauseAfterFailure = std::chrono::seconds(30);
-/// Older than what is kept ready is by itself: nobody has read for long, or the database was away.
-constexpr auto kShownFor = 2 * kReadEvery;
+
+PlantSnapshot::Clock::duration rest_after(const PlantSnapshot& snapshot,
+                                          PlantSnapshot::Clock::duration least) {
+  return std::max(least, kRest * snapshot.took);
+}
 
 std::string titled(const std::string& plant, const std::string& words) {
   return plant.empty() ? words : plant + ": " + words;
@@ -66,7 +71,9 @@ void LiveReader::draw_events(PlantFacts& facts, const std::stop_token& stop) {
 
 const PlantSnapshot& LiveReader::snapshot() {
   asked_at_ = PlantSnapshot::Clock::now();
-  if (!snapshot_ || asked_at_ - snapshot_->read_at > kShownFor) snapshot_ = read_plant(*settings_);
+  // Older than what is kept ready is by itself: nobody has read for long, or the database was away.
+  if (!snapshot_ || asked_at_ - snapshot_->read_at > 2 * rest_after(*snapshot_, kReadEvery))
+    snapshot_ = read_plant(*settings_);
   return *snapshot_;
 }
 
@@ -74,9 +81,9 @@ void LiveReader::keep_ready() {
   const auto now = PlantSnapshot::Clock::now();
   if (now - asked_at_ > kReadyFor || now < not_before_) return;
   const bool was_shown = snapshot_ && snapshot_->read_at <= asked_at_;
-  // Where people read all the time, a twentieth of a core of the database is enough.
-  const auto soon = snapshot_ ? std::max(kFresh, kRest * snapshot_->took) : kFresh;
-  if (snapshot_ && now - snapshot_->read_at < (was_shown ? soon : kReadEvery)) return;
+  if (snapshot_ &&
+      now - snapshot_->read_at < rest_after(*snapshot_, was_shown ? kFresh : kReadEvery))
+    return;
   not_before_ = now + kPauseAfterFailure;
   snapshot_ = read_plant(*settings_);
   not_before_ = {};
