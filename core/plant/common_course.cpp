@@ -89,11 +89,10 @@ Follower CommonCourse::follow(std::size_t index, bool own_line) const {
   const bool in_core = own != core_.end();
   const Envelope others = in_core ? course_without(&*own) : Envelope{};
   const auto p = [&] {
-    if (own_line)
-      return compare(in_core ? measure_increments(others) : increments_,
-                     measure_increments(envelope))
-          .p;
-    return in_core ? plant::follow(envelope, others).p : of_all.p;
+    if (!own_line) return in_core ? plant::follow(envelope, others).p : of_all.p;
+    const Increments own_steps = measure_increments(envelope);
+    if (in_core) return compare(measure_increments(others), own_steps).p;
+    return compare(increments_, own_steps).p;
   }();
   // An envelope is half the amplitude: a cosine of variance 1/2 has |z|^2 = 1/4.
   return {index, p, 2.0 * of_all.followed};

@@ -22,6 +22,7 @@ class PackedError {
 
   [[nodiscard]] bool empty() const { return steps_.empty(); }
   [[nodiscard]] std::size_t size() const { return steps_.size(); }
+  [[nodiscard]] std::size_t bytes() const { return steps_.size() * sizeof(steps_[0]); }
   [[nodiscard]] double sample_interval_s() const { return sample_interval_s_; }
   [[nodiscard]] std::int64_t start_us() const { return start_us_; }
   /// pv units, within half a step; NaN = missing.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 #include <spdlog/spdlog.h>
 #include <utility>
 
@@ -110,6 +109,7 @@ bool ComparedLoops::read_longer() {
   try {
     return read_plant_series(candidates_, slow, {.windows = kLongerWindows, .error_only = true},
                              settings_, tools_, [&](std::size_t k, const PlantSeries& series) {
+                               if (series.error.empty()) return;
                                records_[slow[k]].add_longer(PackedError(
                                    series.error, series.sample_interval_s, series.start_us));
                              });

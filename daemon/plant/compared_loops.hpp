@@ -19,7 +19,8 @@ namespace loopscope::daemon {
 /// everybody's error, packed; a longer span of those that swing too slowly for their window; error,
 /// sp, pv and op of the members of what was found. Every step returns false when the
 /// process shall end, and throws as read_plant_series(); read_longer() only says in the log that a
-/// database has failed, and the loops stay without longer spans. For one thread.
+/// database has failed, and loops that were not read before that stay without longer spans. For one
+/// thread.
 class ComparedLoops {
  public:
   ComparedLoops(std::vector<storage::PlantCandidate> candidates, const config::Settings& settings,

@@ -14,7 +14,7 @@ namespace {
 using core::plant::SharedOscillation;
 
 /// Loops that are compared at most, those that oscillate first: with what the search makes of them
-/// 75 kB each, all in memory together.
+/// 18 kB each and up to as much for the envelopes of one frequency, all in memory together.
 constexpr std::int64_t kMostLoops = 10000;
 
 /// nullopt = the process shall end.

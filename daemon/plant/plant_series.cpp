@@ -135,7 +135,7 @@ bool read_plant_series(Candidates candidates, std::span<const std::size_t> wante
           });
     }
   }
-  return true;
+  return !tools.stop.stop_requested();
 }
 
 }  // namespace loopscope::daemon

@@ -11,6 +11,7 @@
 #include "daemon/plant/plant_round.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/observe/stage_timings.hpp"
+#include "daemon/service/threads/rest_after.hpp"
 #include "daemon/service/threads/worker_identity.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
@@ -22,10 +23,6 @@ constexpr const char* kRoundSubject = "plant round";
 constexpr const char* kRepairsSubject = "repairs";
 /// Another worker that is at it may be lost with its turn: so long, and others look again.
 constexpr double kLookAgain_s = 60.0;
-
-/// Rest after a look at the list by what it took: of a hundred thousand loops a twentieth of a core
-/// of the database at most.
-constexpr int kRestByLook = 20;
 
 /// A round reads every oscillating loop: one that fails is not tried again at once.
 constexpr std::chrono::minutes kAfterFailure{5};
@@ -143,6 +140,19 @@ void PlantWatch::connect(const config::Settings& settings) {
   rounds_.emplace(results_connection(settings), tools_.clocks.check());
 }
 
+double PlantWatch::announce_when_due(double every_s) {
+  const Clock::time_point start = Clock::now();
+  if (start >= next_notice_) {
+    announced_ = goes_well(tools_.faults, kRoundSubject, [&] { announce(*rounds_); });
+    const std::chrono::duration<double> wanted(announced_ ? every_s
+                                                          : std::min(every_s, kLookAgain_s));
+    const auto least = std::chrono::duration_cast<Clock::duration>(wanted);
+    const Clock::time_point end = Clock::now();
+    next_notice_ = end + (announced_ ? rest_after(end - start, least) : least);
+  }
+  return std::max(0.0, std::chrono::duration<double>(next_notice_ - Clock::now()).count());
+}
+
 double PlantWatch::look_at_plant(const config::Settings& settings) {
   const config::PlantSettings& plant = settings.plant;
   double pause_s = kLookAgain_s;
@@ -160,16 +170,8 @@ double PlantWatch::look_at_plant(const config::Settings& settings) {
   }
   if (plant.notice_s > 0.0) {
     // Whatever became of the round: the loops of a historian that answers are flagged meanwhile.
-    const Clock::time_point start = Clock::now();
-    if (start >= next_notice_) {
-      went_well &= goes_well(tools_.faults, kRoundSubject, [&] { announce(*rounds_); });
-      const Clock::time_point end = Clock::now();
-      const std::chrono::duration<double> wanted(plant.notice_s);
-      next_notice_ = end + std::max(std::chrono::duration_cast<Clock::duration>(wanted),
-                                    kRestByLook * (end - start));
-    }
-    const std::chrono::duration<double> rest = next_notice_ - Clock::now();
-    pause_s = std::min(pause_s, std::max(0.0, rest.count()));
+    pause_s = std::min(pause_s, announce_when_due(plant.notice_s));
+    went_well &= announced_;
   }
   if (!went_well) rounds_.reset();
   if (went_well && !has_failed_lately) tools_.faults.recovered(kRoundSubject);

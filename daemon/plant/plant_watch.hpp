@@ -41,6 +41,8 @@ class PlantWatch {
   void connect(const config::Settings& settings);
   /// Compares when it is time; seconds until it will be, nullopt = it failed.
   std::optional<double> compare(storage::PlantRounds& rounds, const config::Settings& settings);
+  /// Announces when it is time; seconds until it will be.
+  double announce_when_due(double every_s);
   /// Says who has the turn when it has been another's at many looks in a row.
   void count_refusal(const std::string& holder);
 
@@ -48,6 +50,7 @@ class PlantWatch {
   std::optional<storage::PlantRounds> rounds_;  ///< until a look fails; of the thread
   Clock::time_point next_round_{};              ///< not before; of the thread
   Clock::time_point next_notice_{};             ///< likewise
+  bool announced_ = true;                       ///< by the last look for notices
   int refusals_ = 0;  ///< looks in a row at which another had the turn; of the thread
   std::mutex mutex_;  ///< over settings_
   std::shared_ptr<const config::Settings> settings_;

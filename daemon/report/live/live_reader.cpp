@@ -16,6 +16,7 @@
 #include "daemon/report/sections/loop_list.hpp"
 #include "daemon/report/text/loop_links.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/service/threads/rest_after.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/time_text.hpp"
 #include "storage/results/catalogue/catalogue.hpp"
@@ -32,16 +33,8 @@ constexpr PlantSnapshot::Clock::duration kFresh = std::chrono::seconds(5);
 /// So often without a reader, for so long after the last one: half a second of the database each.
 constexpr PlantSnapshot::Clock::duration kReadEvery = std::chrono::seconds(60);
 constexpr auto kReadyFor = std::chrono::hours(12);
-/// Rest by what the look before took: a twentieth of a core of the database is enough, with readers
-/// and, of a hundred thousand loops (half a minute a look), without.
-constexpr int kRest = 20;
 /// A database that is away, or hangs, must not keep the thread that makes pages of what is at hand.
 constexpr auto kPauseAfterFailure = std::chrono::seconds(30);
-
-PlantSnapshot::Clock::duration rest_after(const PlantSnapshot& snapshot,
-                                          PlantSnapshot::Clock::duration least) {
-  return std::max(least, kRest * snapshot.took);
-}
 
 std::string titled(const std::string& plant, const std::string& words) {
   return plant.empty() ? words : plant + ": " + words;
@@ -72,7 +65,7 @@ void LiveReader::draw_events(PlantFacts& facts, const std::stop_token& stop) {
 const PlantSnapshot& LiveReader::snapshot() {
   asked_at_ = PlantSnapshot::Clock::now();
   // Older than what is kept ready is by itself: nobody has read for long, or the database was away.
-  if (!snapshot_ || asked_at_ - snapshot_->read_at > 2 * rest_after(*snapshot_, kReadEvery))
+  if (!snapshot_ || asked_at_ - snapshot_->read_at > 2 * rest_after(snapshot_->took, kReadEvery))
     snapshot_ = read_plant(*settings_);
   return *snapshot_;
 }
@@ -82,7 +75,7 @@ void LiveReader::keep_ready() {
   if (now - asked_at_ > kReadyFor || now < not_before_) return;
   const bool was_shown = snapshot_ && snapshot_->read_at <= asked_at_;
   if (snapshot_ &&
-      now - snapshot_->read_at < rest_after(*snapshot_, was_shown ? kFresh : kReadEvery))
+      now - snapshot_->read_at < rest_after(snapshot_->took, was_shown ? kFresh : kReadEvery))
     return;
   not_before_ = now + kPauseAfterFailure;
   snapshot_ = read_plant(*settings_);

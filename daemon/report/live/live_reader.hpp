@@ -54,8 +54,8 @@ class LiveReader {
 
   /// The plant as it is shown now: a minute old for whoever comes first, seconds for whoever loads
   /// a page again; two minutes at most, where the database was away meanwhile. Where a look
-  /// takes longer than three seconds (tens of thousands of loops), twenty times that and twice as
-  /// much.
+  /// takes longer than three seconds (tens of thousands of loops), it is up to twenty times as old
+  /// as that, ten minutes at most, and twice as old where the database was away.
   const PlantSnapshot& snapshot();
   /// As LoopRow::searched has them.
   [[nodiscard]] std::string in_small_letters(const std::string& words) const;

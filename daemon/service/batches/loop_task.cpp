@@ -216,7 +216,7 @@ void keep_error(const LoopTask& task, KeptErrors& errors) {
   const LoopWindow& window = task.newest.at_slot.window;
   const core::signal::Samples& error = task.newest.first.loop.error;
   // Of a window that was cut the error begins later.
-  if (error.size() != window.size()) return;
+  if (error.size() != window.size() || !errors.has_room()) return;
   errors.keep(task.claim->loop.loop_id, task.newest.at_slot.slot_end_us,
               core::plant::PackedError(error, window.sample_interval_s, window.start_us));
 }

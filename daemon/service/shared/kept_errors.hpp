@@ -17,6 +17,8 @@ class KeptErrors {
  public:
   /// So many bytes of samples are kept, the first that come; 0 at first.
   void allow(std::size_t bytes);
+  /// Whether keep() may keep one: packing it for nothing can be spared.
+  [[nodiscard]] bool has_room();
   /// The error of a window, named by its slot's end; ignored where it does not fit any more.
   void keep(std::int64_t loop_id, std::int64_t slot_end_us, core::plant::PackedError&& error);
   /// Gives it away; nullopt = it was not kept.

@@ -87,8 +87,12 @@ TEST(SpectralLine, GapsAndUnitsDoNotMatter) {
   const tests::Course course = tests::draw_course(kWindow, 40.0, 0.1, random);
   std::vector<double> error = tests::draw_error(course, 40.0, 0, 0.5, kWindow, random);
   const double whole = least_p(error);
-  for (double& value : error) value *= 1e6;
-  EXPECT_NEAR(std::log(least_p(error)), std::log(whole), 1e-6 * std::abs(std::log(whole)));
+  for (const double unit : {1e6, 1e-30, 1e30}) {
+    std::vector<double> scaled = error;
+    for (double& value : scaled) value *= unit;
+    EXPECT_NEAR(std::log(least_p(scaled)), std::log(whole), 1e-6 * std::abs(std::log(whole)))
+        << unit;
+  }
   for (std::size_t k = 1000; k < 1200; ++k) error[k] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_LE(least_p(error), 1e-6);
 }
