@@ -10,6 +10,12 @@ namespace {
 constexpr std::int16_t kMissingStep = std::numeric_limits<std::int16_t>::min();
 constexpr double kLastStep = std::numeric_limits<std::int16_t>::max();
 
+/// Within the range but for rounding, which matters where that is a few of the smallest differences
+/// that numbers of this size can have.
+std::int16_t nearest_step(double steps) {
+  return static_cast<std::int16_t>(std::lround(std::clamp(steps, -kLastStep, kLastStep)));
+}
+
 }  // namespace
 
 PackedError::PackedError(std::span<const double> error, double sample_interval_s,
@@ -26,9 +32,8 @@ PackedError::PackedError(std::span<const double> error, double sample_interval_s
   steps_.reserve(error.size());
   for (const double value : error)
     steps_.push_back(!std::isfinite(value) ? kMissingStep
-                     : step_ > 0.0
-                         ? static_cast<std::int16_t>(std::lround((value - middle_) / step_))
-                         : std::int16_t{0});
+                     : step_ > 0.0         ? nearest_step((value - middle_) / step_)
+                                           : std::int16_t{0});
 }
 
 signal::Samples PackedError::unpacked() const {

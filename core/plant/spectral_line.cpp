@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
 #include "core/hos/numeric/distributions.hpp"
 #include "core/plant/envelope.hpp"
@@ -52,10 +51,6 @@ double nearest(double number) {
 /// eighths of the memory that a sum before each bin would.
 constexpr std::size_t kBlock = 8;
 
-double mean_of(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 }  // namespace
 
 LineSpectrum::LineSpectrum(std::span<const double> error, double sample_interval_s) {
@@ -64,11 +59,11 @@ LineSpectrum::LineSpectrum(std::span<const double> error, double sample_interval
   samples_ = found.samples;
   duration_s_ = samples_ * sample_interval_s;
   stretch_ = found.stretch;
-  // Of their mean: single precision would not hold the power of every unit.
-  const double mean = mean_of(found.power);
-  if (!(mean > 0.0 && std::isfinite(mean))) return;
+  // Of the largest: single precision would not hold the power of every unit.
+  const double largest = std::ranges::max(found.power);
+  if (!(largest > 0.0 && std::isfinite(largest))) return;
   power_.reserve(found.power.size());
-  for (const double power : found.power) power_.push_back(static_cast<float>(power / mean));
+  for (const double power : found.power) power_.push_back(static_cast<float>(power / largest));
   sums_.reserve(power_.size() / kBlock + 1);
   double sum = 0.0;
   for (std::size_t k = 0; k < power_.size(); ++k) {
@@ -77,9 +72,8 @@ LineSpectrum::LineSpectrum(std::span<const double> error, double sample_interval
   }
   if (sums_.size() * kBlock <= power_.size()) sums_.push_back(sum);
   total_ = sum;
-  if (total_ > 0.0)
-    bands_ = std::log(samples_ / kShortestPeriod / kFewestPeriods) / kApart * kBandsPerShape *
-             static_cast<double>(kShapes.size());
+  bands_ = std::log(samples_ / kShortestPeriod / kFewestPeriods) / kApart * kBandsPerShape *
+           static_cast<double>(kShapes.size());
 }
 
 double LineSpectrum::sum_before(std::size_t bin) const {

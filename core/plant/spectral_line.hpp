@@ -85,7 +85,7 @@ class LineSpectrum {
   double stretch_ = 1.0;  // length of the transform by that of the record
   double bands_ = 0.0;
   double total_ = 0.0;        // power of all bins
-  std::vector<float> power_;  // the periodogram by its mean
+  std::vector<float> power_;  // the periodogram by its largest
   std::vector<double> sums_;  // of the bins before each block of them
 };
 

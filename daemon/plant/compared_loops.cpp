@@ -49,16 +49,16 @@ std::vector<std::size_t> slow_ones(std::span<const LoopRecords> loops) {
   return numbers;
 }
 
-LoopRecords record_of(const PlantSeries& series) {
-  return LoopRecords(PackedError(series.error, series.sample_interval_s, series.start_us));
+PackedError packed(const PlantSeries& series) {
+  return {series.error, series.sample_interval_s, series.start_us};
 }
 
 /// Of a loop whose rows have gone since.
-PlantSeries error_of(const PackedError& packed) {
+PlantSeries error_of(const PackedError& error) {
   PlantSeries series;
-  series.sample_interval_s = packed.sample_interval_s();
-  series.start_us = packed.start_us();
-  series.error = packed.unpacked();
+  series.sample_interval_s = error.sample_interval_s();
+  series.start_us = error.start_us();
+  series.error = error.unpacked();
   return series;
 }
 
@@ -95,9 +95,10 @@ bool ComparedLoops::read_errors() {
         others.push_back(k);
     }
   }
-  return read_plant_series(
-      candidates_, others, {}, settings_, tools_,
-      [&](std::size_t k, const PlantSeries& series) { records_[others[k]] = record_of(series); });
+  return read_plant_series(candidates_, others, {}, settings_, tools_,
+                           [&](std::size_t k, const PlantSeries& series) {
+                             records_[others[k]] = LoopRecords(packed(series));
+                           });
 }
 
 bool ComparedLoops::read_longer() {
@@ -110,8 +111,7 @@ bool ComparedLoops::read_longer() {
     return read_plant_series(candidates_, slow, {.windows = kLongerWindows, .error_only = true},
                              settings_, tools_, [&](std::size_t k, const PlantSeries& series) {
                                if (series.error.empty()) return;
-                               records_[slow[k]].add_longer(PackedError(
-                                   series.error, series.sample_interval_s, series.start_us));
+                               records_[slow[k]].add_longer(packed(series));
                              });
   } catch (const storage::DatabaseError& error) {
     // Old rows may be out of reach where new ones are not: the round goes on without them.

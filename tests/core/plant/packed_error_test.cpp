@@ -47,6 +47,19 @@ TEST(PackedError, ConstantsEmptyOnesAndLargeNumbersStayWhatTheyAre) {
   EXPECT_NEAR(far[2] / kLargest, 1.0, 1e-4);
 }
 
+TEST(PackedError, ARangeOfTheSmallestDifferencesKeepsItsOrder) {
+  const std::vector<std::vector<double>> narrow = {{1e16, 1e16 + 2.0, 1e16 + 6.0},
+                                                   {0.0, 5e-324, 1e-322}};
+  for (const std::vector<double>& error : narrow) {
+    const signal::Samples again = PackedError(error, 1.0, 0).unpacked();
+    const double range = error.back() - error.front();
+    for (std::size_t k = 0; k < error.size(); ++k)
+      EXPECT_LE(std::abs(again[k] - error[k]), range) << k;
+    EXPECT_LE(again[0], again[1]);
+    EXPECT_LE(again[1], again[2]);
+  }
+}
+
 TEST(PackedError, ItsEnvelopeIsThatOfTheError) {
   std::mt19937_64 random(4);
   for (const double period : {5.0, 40.0, 300.0}) {
