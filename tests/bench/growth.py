@@ -208,13 +208,20 @@ def sizes_of(text):
     return [int(count) for count in sizes]
 
 
+def megabytes_of(text):
+    if not (text.isdecimal() and int(text) <= 1_000_000):
+        raise argparse.ArgumentTypeError(
+            f"'{text}' is no number of MB from 0 to 1000000. HINT: --cache-mb 512")
+    return int(text)
+
+
 def main():
     parser = argparse.ArgumentParser(prog="tests/bench/growth", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--json", action="store_true", help="one JSON object")
     parser.add_argument("--loops", type=sizes_of, default=[100, 1000, 10_000, 100_000],
                         metavar="N,N,...", help="sizes of the catalogue (100,1000,10000,100000)")
-    parser.add_argument("--cache-mb", type=int, metavar="N",
+    parser.add_argument("--cache-mb", type=megabytes_of, metavar="N",
                         help="the setting /daemon/cache_mb; 0 = no windows kept")
     options = parser.parse_args()
     found = measure(options.loops, options.cache_mb)
