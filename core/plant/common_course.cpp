@@ -35,7 +35,7 @@ CommonCourse::CommonCourse(std::span<const Envelope> envelopes, std::span<const 
     const Following found = plant::follow(envelopes[index], first);
     if (!(found.followed > 0.0)) continue;
     Envelope aligned = envelopes[index];
-    for (std::complex<double>& z : aligned.points) z /= found.gain;
+    for (auto& z : aligned.points) z = std::complex<float>(std::complex<double>(z) / found.gain);
     core_.push_back(
         {index, std::move(aligned), 1.0 / std::max(found.rest / found.followed, kLeastRest)});
   }
@@ -67,7 +67,7 @@ Envelope CommonCourse::course_without(const Aligned* left_out) const {
     Sum sum = sums_[k];
     if (left_out != nullptr)
       sum.add(left_out->envelope.at(first_ + static_cast<std::int64_t>(k)), -left_out->weight);
-    course.points.push_back(sum.mean());
+    course.points.emplace_back(sum.mean());
   }
   return course;
 }
@@ -75,7 +75,8 @@ Envelope CommonCourse::course_without(const Aligned* left_out) const {
 double CommonCourse::frequency_hz() const {
   std::complex<double> turn = 0.0;
   for (std::size_t j = 1; j < whole_.points.size(); ++j) {
-    const std::complex<double> step = whole_.points[j] * std::conj(whole_.points[j - 1]);
+    const std::complex<double> step = std::complex<double>(whole_.points[j]) *
+                                      std::conj(std::complex<double>(whole_.points[j - 1]));
     if (std::isfinite(step.real())) turn += step;
   }
   return whole_.frequency_hz + std::arg(turn) / (2.0 * std::numbers::pi * whole_.step_s());

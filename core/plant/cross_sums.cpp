@@ -43,9 +43,9 @@ class CommonPoints {
     stride_ = (size + kLanes) / kLanes * kLanes + kLanes;
     parts_.assign(4 * stride_, 0.0);
     if (size == 0) return;
-    const Complex* const z_points = &z.points[static_cast<std::size_t>(from - z.first)];
-    const Complex* const r_points = &r.points[static_cast<std::size_t>(from - r.first)];
-    for (std::size_t k = 0; k < size; ++k) put(k, z_points[k], r_points[k]);
+    const auto* const z_points = &z.points[static_cast<std::size_t>(from - z.first)];
+    const auto* const r_points = &r.points[static_cast<std::size_t>(from - r.first)];
+    for (std::size_t k = 0; k < size; ++k) put(k, Complex(z_points[k]), Complex(r_points[k]));
     end_run(size);
   }
 

@@ -76,8 +76,9 @@ Complex amplitude_at(const Series<Value>& series, double frequency_hz, double ti
   return sums.amplitude();
 }
 
+/// `gain`: what the series has of the frequency, to be divided by.
 template <typename Value>
-Envelope envelope_of(const Series<Value>& series, double frequency_hz) {
+Envelope envelope_of(const Series<Value>& series, double frequency_hz, double gain) {
   Envelope envelope;
   envelope.frequency_hz = frequency_hz;
   const double step_s = envelope.step_s();
@@ -86,8 +87,11 @@ Envelope envelope_of(const Series<Value>& series, double frequency_hz) {
       series.start_s + (static_cast<double>(series.values.size()) - 1.0) * series.interval_s;
   envelope.first = static_cast<std::int64_t>(std::ceil((series.start_s + half_s) / step_s));
   const auto last = static_cast<std::int64_t>(std::floor((last_s - half_s) / step_s));
+  if (last < envelope.first) return envelope;
+  envelope.points.reserve(static_cast<std::size_t>(last - envelope.first) + 1);
   for (std::int64_t j = envelope.first; j <= last; ++j)
-    envelope.points.push_back(amplitude_at(series, frequency_hz, static_cast<double>(j) * step_s));
+    envelope.points.emplace_back(
+        amplitude_at(series, frequency_hz, static_cast<double>(j) * step_s) / gain);
   return envelope;
 }
 
@@ -114,16 +118,15 @@ bool means_will_do(double interval_s, double frequency_hz) {
 
 /// Envelope of means of two, of those of four ..., as far as they are fine enough.
 template <typename Value>
-Envelope envelope_of_means(const Series<Value>& series, double frequency_hz) {
-  if (!means_will_do(series.interval_s, frequency_hz)) return envelope_of(series, frequency_hz);
+Envelope envelope_of_means(const Series<Value>& series, double frequency_hz, double gain = 1.0) {
+  if (!means_will_do(series.interval_s, frequency_hz))
+    return envelope_of(series, frequency_hz, gain);
   const std::vector<float> means = means_of_two(series.values);
-  Envelope envelope = envelope_of_means(
-      Series<float>{means, 2.0 * series.interval_s, series.start_s + 0.5 * series.interval_s},
-      frequency_hz);
   // Of two samples that lie an interval apart.
-  const double gain = std::cos(std::numbers::pi * frequency_hz * series.interval_s);
-  for (Complex& z : envelope.points) z /= gain;
-  return envelope;
+  gain *= std::cos(std::numbers::pi * frequency_hz * series.interval_s);
+  return envelope_of_means(
+      Series<float>{means, 2.0 * series.interval_s, series.start_s + 0.5 * series.interval_s},
+      frequency_hz, gain);
 }
 
 }  // namespace
@@ -146,7 +149,7 @@ Envelope make_envelope(const MemberLoop& loop, double frequency_hz) {
 
 std::complex<double> Envelope::at(std::int64_t point) const {
   if (point < first || point >= end()) return {signal::kMissing, signal::kMissing};
-  return points[static_cast<std::size_t>(point - first)];
+  return std::complex<double>(points[static_cast<std::size_t>(point - first)]);
 }
 
 }  // namespace loopscope::core::plant

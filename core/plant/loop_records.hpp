@@ -15,7 +15,7 @@ namespace loopscope::core::plant {
 
 /// What the search asks of one loop at a frequency, of the record where that holds kFewestPeriods
 /// of it and else of the longer one: a flow that is sampled every second follows a level that
-/// swings once in twenty minutes. 18 kB of a window of 4096 samples: so much a loop the comparison
+/// swings once in twenty minutes. 14 kB of a window of 4096 samples: so much a loop the comparison
 /// of all loops takes.
 class LoopRecords {
  public:

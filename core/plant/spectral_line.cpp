@@ -1,8 +1,10 @@
 #include "core/plant/spectral_line.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "core/hos/numeric/distributions.hpp"
 #include "core/plant/envelope.hpp"
@@ -47,9 +49,25 @@ double nearest(double number) {
   return static_cast<double>(static_cast<std::int64_t>(number + 0.5));
 }
 
-/// Bins from one sum to the next: single precision of the bins and double of the sums take five
-/// eighths of the memory that a sum before each bin would.
-constexpr std::size_t kBlock = 8;
+/// Bins from one sum to the next: so many sums in double precision take an eighth of the bins'
+/// memory.
+constexpr std::size_t kBlock = 32;
+
+// A power from 2^-64 to 1 in 16 bits: the lowest six of a float's exponent and the highest ten of
+// its fraction, good to a 2000th, where the power in a band is known to some percent at best.
+constexpr unsigned kFractionBits = 13;  // that are left out
+constexpr std::uint32_t kOne = std::bit_cast<std::uint32_t>(1.0F) >> kFractionBits;
+constexpr std::uint32_t kLowest = kOne - std::numeric_limits<std::uint16_t>::max();
+
+std::uint16_t shortened(double power) {
+  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(power));
+  const std::uint32_t rounded = (bits + (1U << (kFractionBits - 1))) >> kFractionBits;
+  return static_cast<std::uint16_t>(std::max(rounded, kLowest) - kLowest);
+}
+
+double lengthened(std::uint16_t power) {
+  return static_cast<double>(std::bit_cast<float>((power + kLowest) << kFractionBits));
+}
 
 }  // namespace
 
@@ -62,34 +80,43 @@ LineSpectrum::LineSpectrum(std::span<const double> error, double sample_interval
   // Of the largest: single precision would not hold the power of every unit.
   const double largest = std::ranges::max(found.power);
   if (!(largest > 0.0 && std::isfinite(largest))) return;
-  power_.reserve(found.power.size());
-  for (const double power : found.power) power_.push_back(static_cast<float>(power / largest));
-  sums_.reserve(power_.size() / kBlock + 1);
+  powers_.reserve(found.power.size());
+  for (const double power : found.power) powers_.push_back(shortened(power / largest));
+  sums_.reserve(powers_.size() / kBlock + 2);
   double sum = 0.0;
-  for (std::size_t k = 0; k < power_.size(); ++k) {
+  for (std::size_t k = 0; k < powers_.size(); ++k) {
     if (k % kBlock == 0) sums_.push_back(sum);
-    sum += static_cast<double>(power_[k]);
+    sum += bin(k);
   }
-  if (sums_.size() * kBlock <= power_.size()) sums_.push_back(sum);
+  sums_.push_back(sum);
   total_ = sum;
   bands_ = std::log(samples_ / kShortestPeriod / kFewestPeriods) / kApart * kBandsPerShape *
            static_cast<double>(kShapes.size());
 }
 
-double LineSpectrum::sum_before(std::size_t bin) const {
-  const std::size_t block = bin / kBlock;
+double LineSpectrum::bin(std::size_t number) const {
+  return lengthened(powers_[number]);
+}
+
+double LineSpectrum::sum_before(std::size_t number) const {
+  // From the nearer end of the block.
+  const std::size_t block = (number + kBlock / 2) / kBlock;
+  const std::size_t known = std::min(block * kBlock, powers_.size());
   double sum = sums_[block];
-  for (std::size_t k = block * kBlock; k < bin; ++k) sum += static_cast<double>(power_[k]);
+  for (std::size_t k = known; k < number; ++k) sum += bin(k);
+  for (std::size_t k = number; k < known; ++k) sum -= bin(k);
   return sum;
 }
 
 LineSpectrum::Power LineSpectrum::power(double low, double high) const {
-  const double last = static_cast<double>(power_.size()) - 1.0;
+  const double last = static_cast<double>(powers_.size()) - 1.0;
   const double first = std::clamp(nearest(low * stretch_), 1.0, last);
   const double end = std::clamp(nearest(high * stretch_), first, last);
   const double bins = end - first + 1.0;
+  // What is lost by rounding behind a tall line must not make a band of nothing.
   const double sum =
-      sum_before(static_cast<std::size_t>(end) + 1) - sum_before(static_cast<std::size_t>(first));
+      std::max(bins * lengthened(0), sum_before(static_cast<std::size_t>(end) + 1) -
+                                         sum_before(static_cast<std::size_t>(first)));
   return {sum / bins, 2.0 * std::max(1.0, bins / stretch_ / kHannBins),
           0.5 * (first + end) / stretch_, sum / total_};
 }
@@ -131,8 +158,8 @@ double LineSpectrum::centre(const Peak& peak) const {
   const auto first = static_cast<std::size_t>(std::round((peak.place - peak.half) * stretch_));
   const auto last = static_cast<std::size_t>(std::round((peak.place + peak.half) * stretch_));
   double moment = 0.0, power = 0.0;
-  for (std::size_t k = first; k <= last && k < power_.size(); ++k) {
-    const auto here = static_cast<double>(power_[k]);
+  for (std::size_t k = first; k <= last && k < powers_.size(); ++k) {
+    const double here = bin(k);
     power += here * here;
     moment += here * here * static_cast<double>(k);
   }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -70,8 +71,10 @@ class LineSpectrum {
     double share = 0.0;
     double half = 0.0;  ///< half width, cycles per record
   };
+  /// Of the periodogram by its largest.
+  [[nodiscard]] double bin(std::size_t number) const;
   /// Of the bins before this one.
-  [[nodiscard]] double sum_before(std::size_t bin) const;
+  [[nodiscard]] double sum_before(std::size_t number) const;
   [[nodiscard]] Power power(double low, double high) const;
   [[nodiscard]] Peak measure(double place, std::size_t shape_number) const;
   [[nodiscard]] Peak best_at(double place) const;
@@ -84,9 +87,9 @@ class LineSpectrum {
   double duration_s_ = 0.0;
   double stretch_ = 1.0;  // length of the transform by that of the record
   double bands_ = 0.0;
-  double total_ = 0.0;        // power of all bins
-  std::vector<float> power_;  // the periodogram by its largest
-  std::vector<double> sums_;  // of the bins before each block of them
+  double total_ = 0.0;                 // power of all bins
+  std::vector<std::uint16_t> powers_;  // the periodogram by its largest, as shortened()
+  std::vector<double> sums_;           // of the bins before each block of them
 };
 
 }  // namespace loopscope::core::plant

@@ -29,7 +29,7 @@ bool known(Complex z) {
 std::vector<double> phase_steps(const Envelope& envelope) {
   std::vector<double> steps(envelope.points.size(), signal::kMissing);
   for (std::size_t k = 1; k < steps.size(); ++k) {
-    const Complex turn = envelope.points[k] * std::conj(envelope.points[k - 1]);
+    const Complex turn = Complex(envelope.points[k]) * std::conj(Complex(envelope.points[k - 1]));
     if (known(turn)) steps[k] = std::arg(turn);
   }
   return steps;

@@ -20,8 +20,8 @@ Envelope draw_envelope(std::int64_t first, std::size_t size, double missing,
   envelope.frequency_hz = 0.01;
   envelope.first = first;
   for (std::size_t k = 0; k < size; ++k)
-    envelope.points.push_back(gap(random) ? Complex(kMissing, kMissing)
-                                          : Complex(normal(random), normal(random)));
+    envelope.points.emplace_back(gap(random) ? Complex(kMissing, kMissing)
+                                             : Complex(normal(random), normal(random)));
   return envelope;
 }
 

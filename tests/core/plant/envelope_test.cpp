@@ -35,7 +35,7 @@ TEST(Envelope, IsHalfTheAmplitudeWithItsPhaseAndSeesNoMeanOrHarmonic) {
   const std::vector<double> error = wave(1.0, 1000, 0.02, 0.7);
   const Envelope envelope = make_envelope(loop_of(error, 1.0), 0.02);
   ASSERT_GE(envelope.points.size(), 16U);
-  for (const std::complex<double>& z : envelope.points) {
+  for (const std::complex<double> z : envelope.points) {
     EXPECT_NEAR(std::abs(z), 0.5, 1e-3);
     EXPECT_NEAR(std::arg(z), 0.7, 3e-3);
   }
@@ -49,6 +49,19 @@ TEST(Envelope, IsTheSameWhateverTheSampling) {
   ASSERT_GE(one.points.size(), other.points.size() - 1);
   for (std::int64_t j = std::max(one.first, other.first); j < std::min(one.end(), other.end()); ++j)
     EXPECT_NEAR(std::abs(one.at(j) - other.at(j)), 0.0, 5e-3) << j;
+}
+
+TEST(Envelope, UnitsDoNotMatter) {
+  const std::vector<double> error = wave(1.0, 1000, 0.02, 0.7);
+  const Envelope envelope = make_envelope(loop_of(error, 1.0), 0.02);
+  for (const double unit : {1e30, 1e-30}) {
+    std::vector<double> scaled = error;
+    for (double& value : scaled) value *= unit;
+    const Envelope other = make_envelope(loop_of(scaled, 1.0), 0.02);
+    ASSERT_EQ(other.points.size(), envelope.points.size());
+    for (std::int64_t j = envelope.first; j < envelope.end(); ++j)
+      EXPECT_NEAR(std::abs(other.at(j) / unit - envelope.at(j)), 0.0, 1e-6) << unit;
+  }
 }
 
 TEST(Envelope, AnotherFrequencyTurns) {
@@ -66,7 +79,7 @@ TEST(Envelope, BridgesShortHolesAndLeavesLongOnesOut) {
   for (std::size_t k = 1000; k < 1300; ++k) error[k] = std::numeric_limits<double>::infinity();
   const Envelope envelope = make_envelope(loop_of(error, 1.0), 0.02);
   std::size_t missing = 0;
-  for (const std::complex<double>& z : envelope.points) {
+  for (const std::complex<double> z : envelope.points) {
     if (!std::isfinite(z.real()))
       ++missing;
     else

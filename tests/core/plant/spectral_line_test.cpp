@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/hos/numeric/normal_draw.hpp"
+#include "core/plant/periodogram.hpp"
 #include "tests/core/plant/oscillators.hpp"
 #include "tests/support/numbers.hpp"
 
@@ -80,6 +81,34 @@ TEST(SpectralLine, ShareIsThatOfTheVariance) {
   // A cosine of amplitude 1 beside noise of variance 1/4.
   EXPECT_NEAR(spectrum.share(1.0 / 40.0), 0.5 / 0.75, 0.08);
   EXPECT_EQ(spectrum.share(1.0 / 9.0), 0.0);
+}
+
+/// A tall line and faint noise behind it: powers from 1 to 1e-12, none of which is lost in the sum.
+TEST(SpectralLine, SharesAreThoseOfThePeriodogram) {
+  std::mt19937_64 random(46);
+  for (const std::size_t samples : {256U, 1000U, 4095U, 4096U}) {
+    std::vector<double> error(samples);
+    for (std::size_t k = 0; k < samples; ++k)
+      error[k] = std::sin(2.0 * std::numbers::pi * static_cast<double>(k) / 16.0) +
+                 1e-5 * hos::normal_draw(random);
+    const Periodogram exact = hann_periodogram(error, samples);
+    const LineSpectrum spectrum(error, 1.0);
+    const auto bin = [&](double hz) {
+      return static_cast<std::size_t>(
+          std::round(hz * static_cast<double>(samples) * exact.stretch));
+    };
+    const auto sum = [&](std::size_t first, std::size_t last) {
+      double power = 0.0;
+      for (std::size_t k = first; k <= std::min(last, exact.power.size() - 1); ++k)
+        power += exact.power[k];
+      return power;
+    };
+    const double total = sum(1, exact.power.size());
+    for (double hz = 0.01; hz < 0.5; hz += 0.00137) {
+      const double share = sum(bin(0.5 * hz), bin(1.5 * hz)) / total;
+      EXPECT_NEAR(spectrum.share_about(hz) / share, 1.0, 1e-3) << samples << ' ' << hz;
+    }
+  }
 }
 
 TEST(SpectralLine, GapsAndUnitsDoNotMatter) {
