@@ -2,9 +2,9 @@
 #include <array>
 
 #include "daemon/commands/commands.hpp"
-#include "daemon/commands/memory.hpp"
 #include "daemon/commands/program.hpp"
 #include "daemon/lab/commands/commands.hpp"
+#include "daemon/service/threads/memory.hpp"
 
 namespace {
 

@@ -67,7 +67,10 @@ PlantSeries error_of(const PackedError& error) {
 ComparedLoops::ComparedLoops(std::vector<storage::PlantCandidate> candidates,
                              const config::Settings& settings, SharedServices& tools)
     : candidates_(std::move(candidates)), settings_(settings), tools_(tools) {
-  for (const storage::PlantCandidate& candidate : candidates_) loops_.push_back(loop_of(candidate));
+  for (storage::PlantCandidate& candidate : candidates_) {
+    loops_.push_back(loop_of(candidate));
+    candidate.verdict = {};  // a kilobyte
+  }
   records_.resize(loops_.size(), LoopRecords(PackedError()));
   series_.resize(loops_.size());
 }
@@ -95,10 +98,12 @@ bool ComparedLoops::read_errors() {
         others.push_back(k);
     }
   }
-  return read_plant_series(candidates_, others, {}, settings_, tools_,
-                           [&](std::size_t k, const PlantSeries& series) {
-                             records_[others[k]] = LoopRecords(packed(series));
-                           });
+  const bool done = read_plant_series(candidates_, others, {}, settings_, tools_,
+                                      [&](std::size_t k, const PlantSeries& series) {
+                                        records_[others[k]] = LoopRecords(packed(series));
+                                      });
+  count_read();
+  return done;
 }
 
 bool ComparedLoops::read_longer() {
@@ -119,6 +124,14 @@ bool ComparedLoops::read_longer() {
                  printable(error.hint()));
     return true;
   }
+}
+
+void ComparedLoops::keep_only(std::span<const core::plant::Event> events) {
+  std::vector<bool> is_member(loops_.size());
+  for (const core::plant::Event& event : events)
+    for (const core::plant::EventMember& one : event.members) is_member[one.index] = true;
+  for (std::size_t k = 0; k < loops_.size(); ++k)
+    if (!is_member[k]) records_[k] = LoopRecords(PackedError());
 }
 
 bool ComparedLoops::read_members(std::span<const core::plant::Event> events) {
@@ -149,16 +162,13 @@ bool ComparedLoops::read_members(std::span<const std::size_t> members, std::size
                            });
 }
 
-std::int64_t ComparedLoops::read() const {
-  return std::ranges::count_if(records_,
-                               [](const LoopRecords& loop) { return !loop.error().empty(); });
-}
-
-std::int64_t ComparedLoops::oscillating() const {
-  std::int64_t count = 0;
-  for (std::size_t k = 0; k < records_.size(); ++k)
-    count += candidates_[k].oscillating && !records_[k].error().empty() ? 1 : 0;
-  return count;
+void ComparedLoops::count_read() {
+  read_ = oscillating_ = 0;
+  for (std::size_t k = 0; k < records_.size(); ++k) {
+    if (records_[k].error().empty()) continue;
+    ++read_;
+    oscillating_ += candidates_[k].oscillating ? 1 : 0;
+  }
 }
 
 }  // namespace loopscope::daemon

@@ -28,22 +28,26 @@ class ComparedLoops {
 
   [[nodiscard]] bool read_errors();
   [[nodiscard]] bool read_longer();
+  /// The records of all loops but the members go.
+  void keep_only(std::span<const core::plant::Event> events);
   [[nodiscard]] bool read_members(std::span<const core::plant::Event> events);
   /// Of the members, in their newest windows as they were sampled; once they are read.
   [[nodiscard]] std::span<const core::plant::CascadePair> cascades() const { return cascades_; }
 
-  /// What is searched, in the order of the candidates; that of one whose rows are gone is empty.
+  /// What is searched, in the order of the candidates; that of one whose rows are gone is empty,
+  /// and after keep_only() that of all but members.
   [[nodiscard]] std::span<const core::plant::LoopRecords> records() const { return records_; }
   /// The same loops; only members have series, once they are read.
   [[nodiscard]] std::span<const core::plant::MemberLoop> loops() const { return loops_; }
-  /// Whose rows are there.
-  [[nodiscard]] std::int64_t read() const;
-  [[nodiscard]] std::int64_t oscillating() const;
+  /// Whose rows were there; 0 before read_errors().
+  [[nodiscard]] std::int64_t read() const { return read_; }
+  [[nodiscard]] std::int64_t oscillating() const { return oscillating_; }
 
  private:
   [[nodiscard]] bool read_members(std::span<const std::size_t> members, std::size_t windows);
 
   void show(std::size_t loop, PlantSeries series);
+  void count_read();
 
   std::vector<storage::PlantCandidate> candidates_;
   const config::Settings& settings_;
@@ -52,6 +56,7 @@ class ComparedLoops {
   std::vector<core::plant::MemberLoop> loops_;  // views of series_
   std::vector<core::plant::CascadePair> cascades_;
   std::vector<PlantSeries> series_;  // of every loop; empty = not read
+  std::int64_t read_ = 0, oscillating_ = 0;
 };
 
 }  // namespace loopscope::daemon

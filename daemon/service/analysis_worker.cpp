@@ -176,8 +176,10 @@ std::size_t AnalysisWorker::analyse(Batch& batch) {
     } else {
       complete(task, orders, batch);
     }
+    task = {};  // its windows: half a megabyte
   }
   batch.tasks.clear();
+  batch.rows = {};
   return lost;
 }
 

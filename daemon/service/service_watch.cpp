@@ -55,7 +55,7 @@ ServiceWatch::ServiceWatch(std::shared_ptr<const config::Settings> settings, Sha
       heartbeat_(heartbeat),
       settings_(std::move(settings)),
       health_([this] { return why_not_live(); }, limits(*settings_)),
-      pages_([this] { return this->settings(); }),
+      pages_([this] { return this->settings(); }, [&tools] { return tools.comparing.load(); }),
       reports_(settings_, tools.faults) {
   open_pages();
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });

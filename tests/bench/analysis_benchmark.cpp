@@ -10,7 +10,7 @@
 #include "core/diagnosis/gather_evidence.hpp"
 #include "core/signal/window_digest.hpp"
 #include "core/simulate/scenario.hpp"
-#include "daemon/commands/memory.hpp"
+#include "daemon/service/threads/memory.hpp"
 
 namespace loopscope::core {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "core/model/explain.hpp"
 #include "core/simulate/scenario.hpp"
-#include "daemon/commands/memory.hpp"
+#include "daemon/service/threads/memory.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -49,7 +49,7 @@ void explain_scenarios(benchmark::State& state, const std::vector<std::string_vi
   }
   std::vector<double> times;
   std::size_t next = 0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     double sum = 0.0;
     for (std::size_t i = 0; i < scenarios.size(); ++i) {
       times.push_back(explain_ms(windows[next++ % windows.size()]));

@@ -48,12 +48,15 @@ std::int64_t whole_number(const std::string& text) {
 
 }  // namespace
 
-LivePages::LivePages(std::function<std::shared_ptr<const config::Settings>()> settings)
+LivePages::LivePages(std::function<std::shared_ptr<const config::Settings>()> settings,
+                     std::function<bool()> rests)
     : settings_(settings),
+      rests_(std::move(rests)),
       worker_({}, [this] { keep_ready(); }),
       annotate_(std::move(settings), [this] { show_changes(); }) {}
 
 void LivePages::keep_ready() {
+  if (rests_()) return;
   try {
     reader().keep_ready();
   } catch (const std::exception&) {

@@ -18,8 +18,10 @@ namespace loopscope::daemon {
 /// was asked for.
 class LivePages {
  public:
-  /// `settings` is asked for each page: those in force.
-  explicit LivePages(std::function<std::shared_ptr<const config::Settings>()> settings);
+  /// `settings` is asked for each page: those in force. While it `rests`, nothing is read but for
+  /// pages that are asked for. Both on any thread.
+  LivePages(std::function<std::shared_ptr<const config::Settings>()> settings,
+            std::function<bool()> rests);
 
   /// Adds the pages to a server that has not started yet and is stopped before this ends.
   void add_to(HttpServer& server);
@@ -31,6 +33,7 @@ class LivePages {
   void show_changes();
 
   std::function<std::shared_ptr<const config::Settings>()> settings_;
+  std::function<bool()> rests_;
   std::shared_ptr<const config::Settings> read_with_;  ///< the worker's
   std::unique_ptr<LiveReader> reader_;                 ///< the worker's
   std::atomic<bool> changed_ = false;                  ///< since the reader last read the plant

@@ -16,6 +16,7 @@
 #include "daemon/report/sections/loop_list.hpp"
 #include "daemon/report/text/loop_links.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/service/threads/memory.hpp"
 #include "daemon/service/threads/rest_after.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/time_text.hpp"
@@ -66,7 +67,7 @@ const PlantSnapshot& LiveReader::snapshot() {
   asked_at_ = PlantSnapshot::Clock::now();
   // Older than what is kept ready is by itself: nobody has read for long, or the database was away.
   if (!snapshot_ || asked_at_ - snapshot_->read_at > 2 * rest_after(snapshot_->took, kReadEvery))
-    snapshot_ = read_plant(*settings_);
+    renew();
   return *snapshot_;
 }
 
@@ -78,8 +79,17 @@ void LiveReader::keep_ready() {
       now - snapshot_->read_at < rest_after(snapshot_->took, was_shown ? kFresh : kReadEvery))
     return;
   not_before_ = now + kPauseAfterFailure;
-  snapshot_ = read_plant(*settings_);
+  renew();
   not_before_ = {};
+}
+
+void LiveReader::renew() {
+  snapshot_ = read_plant(*settings_);
+  // Of the reading, as much as the snapshot takes and more. Not every few seconds, which would slow
+  // the workers down.
+  if (snapshot_->read_at - gave_back_at_ < kReadEvery) return;
+  give_back_freed_memory();
+  gave_back_at_ = snapshot_->read_at;
 }
 
 std::string LiveReader::in_small_letters(const std::string& words) const {

@@ -57,6 +57,7 @@ class LiveReader {
   /// takes longer than three seconds (tens of thousands of loops), it is up to twenty times as old
   /// as that, ten minutes at most, and twice as old where the database was away.
   const PlantSnapshot& snapshot();
+  void renew();
   /// As LoopRow::searched has them.
   [[nodiscard]] std::string in_small_letters(const std::string& words) const;
   /// Once for each round: a page is asked for more often than a round is made.
@@ -69,6 +70,7 @@ class LiveReader {
   std::optional<PlantSnapshot> snapshot_;
   /// When a page last wanted it, and before when it is not tried to be read without one.
   PlantSnapshot::Clock::time_point asked_at_ = PlantSnapshot::Clock::now(), not_before_ = {};
+  PlantSnapshot::Clock::time_point gave_back_at_ = {};
   WindowSource windows_;
   std::deque<Seen> seen_;  ///< newest first
   EventAlbum album_;       ///< that was drawn last

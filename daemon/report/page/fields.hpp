@@ -32,6 +32,7 @@ struct Value : std::variant<bool, std::int64_t, std::string, Markup, Fields, Lis
   Value(std::int64_t number);
   Value(const char* text);
   Value(std::string text);
+  Value(std::string_view text);
   Value(Markup ready);
   Value(Fields fields);
   Value(List list);

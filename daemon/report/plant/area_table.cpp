@@ -12,7 +12,7 @@ namespace {
 
 void count(const storage::LoopRow& loop, AreaCounts& counts) {
   ++counts.loops;
-  const std::string code = loop.code.value_or("");
+  const std::string_view code = loop.code.value_or("");
   counts.not_controlling += code == "not_controlling" ? 1 : 0;
   counts.unjudgeable += code == "insufficient_data" ? 1 : 0;
   if (!loop.rank) return;
@@ -30,12 +30,12 @@ std::string area_words(const std::string& area) {
   return area.empty() ? "Without an area" : area;
 }
 
-std::vector<AreaCounts> count_areas(std::span<const storage::LoopRow> loops) {
+std::vector<AreaCounts> count_areas(const storage::ListedLoops& loops) {
   constexpr std::int64_t kLast = std::numeric_limits<std::int64_t>::max();
   std::map<std::pair<std::int64_t, std::string>, AreaCounts> by_place;
-  for (const storage::LoopRow& loop : loops) {
+  for (const storage::LoopRow loop : loops) {
     if (!loop.enabled) continue;
-    const std::string area = loop.area.value_or("");
+    const std::string area(loop.area.value_or(""));
     AreaCounts& counts = by_place[{loop.area_place.value_or(kLast), area}];
     counts.area = area;
     count(loop, counts);

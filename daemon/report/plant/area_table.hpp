@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "daemon/report/page/fields.hpp"
-#include "storage/results/reports/report_rows.hpp"
+#include "storage/results/reports/listed_loops.hpp"
 
 namespace loopscope::daemon {
 
@@ -19,7 +19,7 @@ struct AreaCounts {
 };
 
 /// By area in the order of the database, loops without an area last; empty where no loop has one.
-[[nodiscard]] std::vector<AreaCounts> count_areas(std::span<const storage::LoopRow> loops);
+[[nodiscard]] std::vector<AreaCounts> count_areas(const storage::ListedLoops& loops);
 
 /// A table of them; `link_to` = where an area leads, empty = nowhere. Empty where there is none.
 [[nodiscard]] Markup area_table(std::span<const AreaCounts> areas,

@@ -8,6 +8,7 @@
 #include "daemon/report/page/fields.hpp"
 #include "daemon/report/text/loop_links.hpp"
 #include "daemon/text/time_zone.hpp"
+#include "storage/results/reports/listed_loops.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {
@@ -19,11 +20,11 @@ struct PlantFacts {
   storage::PlantCounts counts;
   std::vector<storage::FlaggedRow> flagged;  ///< in the order of rank
   std::vector<storage::PlantOscillationRow> oscillations;
-  std::vector<storage::RepairRow> repairs;   ///< since `since_us`
-  std::vector<storage::LoopRow> loops = {};  ///< of the catalogue
-  EventAlbum album = {};                     ///< trends and spectra of the oscillations
-  std::string picture_trouble = {};          ///< why there are none, a sentence; empty = no trouble
-  TimeZone zone = {};                        ///< of all times that are told
+  std::vector<storage::RepairRow> repairs;  ///< since `since_us`
+  storage::ListedLoops loops = {};          ///< of the catalogue
+  EventAlbum album = {};                    ///< trends and spectra of the oscillations
+  std::string picture_trouble = {};         ///< why there are none, a sentence; empty = no trouble
+  TimeZone zone = {};                       ///< of all times that are told
 };
 
 /// The first screen as HTML: counts, the work list, what each kind of fault asks for, the areas,

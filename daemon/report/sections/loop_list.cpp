@@ -19,16 +19,17 @@ using storage::LoopRow;
 
 /// The state that can be asked for; of a flagged loop whether it is confirmed.
 std::string status_of(const LoopRow& row) {
-  return row.status ? row.state + ", " + status_words(*row.status) : row.state;
+  const std::string state(row.state);
+  return row.status ? state + ", " + status_words(std::string(*row.status)) : state;
 }
 
 /// A loop that was never analysed has no page.
 std::string page_link(const LoopRow& row) {
-  return row.code ? LoopLinks::pages().to_page(row.name) : "";
+  return row.code ? LoopLinks::pages().to_page(std::string(row.name)) : "";
 }
 
 Fields loop_fields(const LoopRow& row, const TimeZone& zone) {
-  const std::string code = shown_verdict(row);
+  const std::string_view code = shown_verdict(row);
   return {{"verdict", row.code ? as_heading(code) : ""},
           {"status", status_of(row)},
           {"reason", row.hidden_by == row.state ? "" : row.hidden_by.value_or("")},

@@ -12,7 +12,7 @@ using storage::LoopRow;
 /// What a loop is put in order by; of a kind of order one of the two is set, or none.
 struct Key {
   std::optional<double> number = {};
-  std::optional<std::string> word = {};
+  std::optional<std::string_view> word = {};
 
   [[nodiscard]] bool is_none() const { return !number && !word; }
 };
@@ -52,36 +52,37 @@ bool comes_first(const Key& a, const Key& b, bool backwards) {
   return low.word ? *low.word < *high.word : *low.number < *high.number;
 }
 
-bool is(const std::string& wanted, const std::string& value) {
+bool is(std::string_view wanted, std::string_view value) {
   return wanted.empty() || wanted == value;
 }
 
 bool fits(const LoopRow& loop, const LoopQuery& query, const std::string& part) {
   return is(query.area, loop.area.value_or("")) && is(query.unit, loop.unit.value_or("")) &&
          is(query.state, loop.state) && is(query.verdict, shown_verdict(loop)) &&
-         (query.part.empty() || (!part.empty() && loop.searched.find(part) != std::string::npos));
+         (query.part.empty() ||
+          (!part.empty() && loop.searched.find(part) != std::string_view::npos));
 }
 
 /// The texts that loops have, in the order of their places.
 class Choices {
  public:
-  void add(const std::optional<std::string>& text, std::optional<std::int64_t> place) {
+  void add(std::optional<std::string_view> text, std::optional<std::int64_t> place) {
     if (text && place) values_.emplace(*place, *text);
   }
   [[nodiscard]] std::vector<std::string> texts() const {
     std::vector<std::string> texts;
-    for (const auto& [place, text] : values_) texts.push_back(text);
+    for (const auto& [place, text] : values_) texts.emplace_back(text);
     return texts;
   }
 
  private:
-  std::set<std::pair<std::int64_t, std::string>> values_;
+  std::set<std::pair<std::int64_t, std::string_view>> values_;
 };
 
-void add_choices(std::span<const LoopRow> loops, LoopListing& listing) {
+void add_choices(const storage::ListedLoops& loops, LoopListing& listing) {
   Choices areas, units;
-  std::set<std::string> verdicts;
-  for (const LoopRow& loop : loops) {
+  std::set<std::string_view> verdicts;
+  for (const LoopRow loop : loops) {
     areas.add(loop.area, loop.area_place);
     units.add(loop.unit, loop.unit_place);
     if (loop.code) verdicts.insert(shown_verdict(loop));
@@ -106,15 +107,16 @@ const std::vector<std::string>& loop_states() {
   return states;
 }
 
-std::string shown_verdict(const LoopRow& loop) {
+std::string_view shown_verdict(const LoopRow& loop) {
   return loop.shown_code ? *loop.shown_code : loop.code.value_or("none");
 }
 
-LoopListing choose_loops(std::span<const LoopRow> loops, const LoopQuery& query,
+LoopListing choose_loops(const storage::ListedLoops& loops, const LoopQuery& query,
                          const std::string& part) {
-  std::vector<std::pair<Key, const LoopRow*>> fitting;
-  for (const LoopRow& loop : loops)
-    if (fits(loop, query, part)) fitting.emplace_back(key_of(loop, query.order), &loop);
+  std::vector<std::pair<Key, std::size_t>> fitting;
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    if (const LoopRow loop = loops[k]; fits(loop, query, part))
+      fitting.emplace_back(key_of(loop, query.order), k);
   std::ranges::stable_sort(fitting, [&](const auto& a, const auto& b) {
     return comes_first(a.first, b.first, query.backwards);
   });
@@ -126,7 +128,7 @@ LoopListing choose_loops(std::span<const LoopRow> loops, const LoopQuery& query,
       std::max<std::int64_t>(listing.fitting - 1, 0) / query.most * query.most;
   const std::int64_t first = listing.skip = std::min(query.skip, last);
   for (std::int64_t k = first; k < std::min(first + query.most, listing.fitting); ++k)
-    listing.loops.push_back(*fitting[static_cast<std::size_t>(k)].second);
+    listing.loops.push_back(loops[fitting[static_cast<std::size_t>(k)].second]);
   return listing;
 }
 

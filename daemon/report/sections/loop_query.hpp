@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "storage/results/reports/report_rows.hpp"
+#include "storage/results/reports/listed_loops.hpp"
 
 namespace loopscope::daemon {
 
@@ -33,21 +33,24 @@ struct LoopQuery {
 
 /// What a page of such a list shows.
 struct LoopListing {
-  std::vector<storage::LoopRow> loops = {};
-  std::int64_t skip = 0;     ///< rows before the first of these
-  std::int64_t fitting = 0;  ///< loops that are asked for, on all pages
-  std::int64_t all = 0;      ///< of the catalogue
+  std::vector<storage::LoopRow> loops = {};  ///< views into the catalogue's
+  std::int64_t skip = 0;                     ///< rows before the first of these
+  std::int64_t fitting = 0;                  ///< loops that are asked for, on all pages
+  std::int64_t all = 0;                      ///< of the catalogue
   /// What can be asked for: each that a loop of the catalogue has, in order.
   std::vector<std::string> areas = {}, units = {}, verdicts = {};
 };
 
 /// A page of `loops`, which are by rank and name (ReportDatabase::loops). `part` is that of the
 /// query in small letters. Behind the last page that one.
-[[nodiscard]] LoopListing choose_loops(std::span<const storage::LoopRow> loops,
-                                       const LoopQuery& query, const std::string& part);
+[[nodiscard]] LoopListing choose_loops(const storage::ListedLoops& loops, const LoopQuery& query,
+                                       const std::string& part);
+
+LoopListing choose_loops(storage::ListedLoops&& loops, const LoopQuery& query,
+                         const std::string& part) = delete;
 
 /// A loop's verdict as it is shown, of one that others shake "external_disturbance"; "none" = it
 /// was never analysed.
-[[nodiscard]] std::string shown_verdict(const storage::LoopRow& loop);
+[[nodiscard]] std::string_view shown_verdict(const storage::LoopRow& loop);
 
 }  // namespace loopscope::daemon

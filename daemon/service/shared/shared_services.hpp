@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <mutex>
@@ -43,6 +44,9 @@ struct SharedServices {
   /// Held by the one worker that works on a suspect: two that kill the process cannot be told
   /// apart.
   std::mutex suspect_turn;
+  /// While all loops are compared, which takes the most memory of all: what takes much and can wait
+  /// does so.
+  std::atomic<bool> comparing = false;
   const RetryLimit perseverance;
 };
 

@@ -35,9 +35,6 @@ constexpr ExportedView kViews[] = {
     {"verdict_kind", "", false, "verdict and what it means"},
 };
 
-/// A batch of rows of the widest view takes about a megabyte.
-constexpr int kBatch = 1000;
-
 // pg_type.oid
 constexpr pqxx::oid kBoolean = 16, kTextList = 1009, kTime = 1184;
 
@@ -59,14 +56,10 @@ std::vector<std::string> parameters_of(const ExportRequest& request) {
 }
 
 /// The name of the view comes from the list above alone.
-Statement open_cursor(const ExportRequest& request, const char* what) {
-  return {"export_view",
-          std::string("DECLARE exported NO SCROLL CURSOR FOR SELECT ") + what + " FROM loopscope." +
-              request.view->name + " AS shown WHERE true" + conditions(request),
-          Rows::none};
+Statement select(const ExportRequest& request, const char* what) {
+  return {"export_view", std::string("SELECT ") + what + " FROM loopscope." + request.view->name +
+                             " AS shown WHERE true" + conditions(request)};
 }
-
-const Statement kFetch{"export_fetch", "FETCH " + std::to_string(kBatch) + " FROM exported"};
 
 /// "2026-01-31 12:00:00.5+00" to "2026-01-31T12:00:00.5Z"; infinities stay.
 std::string iso_time(std::string text) {
@@ -111,12 +104,7 @@ void read_batches(const ConnectionSettings& settings, const ExportRequest& reque
   Session session(settings);
   require_schema_version(session);
   Snapshot snapshot(session);
-  snapshot.run(open_cursor(request, what), parameters_of(request));
-  while (true) {
-    const pqxx::result rows = snapshot.run(kFetch);
-    take(rows);
-    if (rows.size() < kBatch) return;
-  }
+  snapshot.run_by_pieces(select(request, what), parameters_of(request), take);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include "storage/results/reports/list_loops.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <limits>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "storage/results/rows/loop_row.hpp"
 #include "storage/statement.hpp"
@@ -17,11 +17,11 @@ namespace {
 // of the plant's size.
 const Statement kEveryLoop{"every_loop", R"(
     WITH latest AS MATERIALIZED (
-      SELECT loop_id, code, slot_end, summary, follows, shown_code,
+      SELECT loop_id, code, slot_end, follows, shown_code,
              coalesce(combined_confidence, confidence) AS confidence
       FROM loopscope.own_verdict)
-    SELECT loop.loop_id, loop.name, loop.source, loop.loop_type, loop.area, loop.unit,
-           loop.description, loop.enabled, loop.importance, latest.code, kind.is_fault,
+    SELECT loop.loop_id, loop.name, loop.area, loop.unit, loop.description, loop.enabled,
+           latest.code, kind.is_fault,
            lower(concat_ws(' ', loop.name, loop.description, loop.owner)) AS searched,
            dense_rank() OVER (ORDER BY lower(loop.name)) AS name_place,
            CASE WHEN loop.area IS NOT NULL
@@ -30,35 +30,35 @@ const Statement kEveryLoop{"every_loop", R"(
                 THEN dense_rank() OVER (ORDER BY lower(loop.unit)) END AS unit_place,
            latest.confidence, round(latest.confidence::numeric, 2) AS probability,
            (extract(epoch FROM latest.slot_end) * 1000000)::bigint AS slot_end_us,
-           latest.summary, latest.follows, latest.shown_code, health.state AS health
+           latest.follows, latest.shown_code, health.state AS health
     FROM loopscope.loop
     LEFT JOIN latest USING (loop_id)
     LEFT JOIN loopscope.verdict_kind AS kind ON kind.code = latest.code
     LEFT JOIN loopscope.monitor_health AS health USING (loop_id)
     ORDER BY loop.name)"};
 
+std::optional<std::string_view> maybe_view(const pqxx::field& field) {
+  return field.is_null() ? std::nullopt : std::optional<std::string_view>(field.c_str());
+}
+
+/// Its texts are those of the result.
 LoopRow read_listed(const pqxx::row& row) {
   LoopRow loop;
-  loop.loop_id = row["loop_id"].as<std::int64_t>();
   loop.name = row["name"].c_str();
-  loop.source = row["source"].c_str();
-  loop.loop_type = maybe_text(row["loop_type"]);
-  loop.area = maybe_text(row["area"]);
-  loop.unit = maybe_text(row["unit"]);
-  loop.description = maybe_text(row["description"]);
+  loop.area = maybe_view(row["area"]);
+  loop.unit = maybe_view(row["unit"]);
+  loop.description = maybe_view(row["description"]);
   loop.searched = row["searched"].c_str();
   loop.name_place = read_integer(row["name_place"]);
   loop.area_place = read_integer(row["area_place"]);
   loop.unit_place = read_integer(row["unit_place"]);
   loop.enabled = row["enabled"].as<bool>();
-  loop.importance = row["importance"].as<double>();
-  loop.code = maybe_text(row["code"]);
+  loop.code = maybe_view(row["code"]);
   loop.confidence = read_number(row["confidence"]);
   loop.slot_end_us = read_integer(row["slot_end_us"]);
-  loop.summary = maybe_text(row["summary"]);
   loop.health = row["health"].c_str();
-  loop.follows = maybe_text(row["follows"]);
-  loop.shown_code = maybe_text(row["shown_code"]);
+  loop.follows = maybe_view(row["follows"]);
+  loop.shown_code = maybe_view(row["shown_code"]);
   return loop;
 }
 
@@ -77,7 +77,7 @@ std::map<std::int64_t, std::string> reasons_by_loop(std::span<const HiddenLoopRo
   return reasons;
 }
 
-std::string state_of(const LoopRow& loop, bool off_the_list) {
+std::string_view state_of(const LoopRow& loop, bool off_the_list) {
   if (loop.rank) return "flagged";
   if (!loop.enabled) return "disabled";
   if (!loop.code) return "never analysed";
@@ -94,30 +94,32 @@ std::optional<std::string> why_not_listed(const pqxx::row& row) {
 
 }  // namespace
 
-std::vector<LoopRow> list_loops(Snapshot& snapshot, std::span<const FlaggedRow> flagged,
-                                std::span<const HiddenLoopRow> hidden) {
+ListedLoops list_loops(Snapshot& snapshot, std::span<const FlaggedRow> flagged,
+                       std::span<const HiddenLoopRow> hidden) {
   std::map<std::int64_t, const FlaggedRow*> listed;
   for (const FlaggedRow& row : flagged) listed.emplace(row.loop_id, &row);
   const std::map<std::int64_t, std::string> reasons = reasons_by_loop(hidden);
-  const pqxx::result rows = snapshot.run(kEveryLoop);
-  std::vector<LoopRow> loops;
-  loops.reserve(static_cast<std::size_t>(rows.size()));  // a row takes nearly a kilobyte
-  for (const pqxx::row& row : rows) {
-    LoopRow& loop = loops.emplace_back(read_listed(row));
-    const auto said = reasons.find(loop.loop_id);
-    if (const auto found = listed.find(loop.loop_id); found != listed.end()) {
+  ListedLoops loops;
+  const auto add = [&](const pqxx::row& row) {
+    LoopRow loop = read_listed(row);
+    const auto loop_id = row["loop_id"].as<std::int64_t>();
+    const auto said = reasons.find(loop_id);
+    std::optional<std::string> unlisted;
+    if (const auto found = listed.find(loop_id); found != listed.end()) {
       loop.rank = found->second->rank;
       loop.status = found->second->status;
     } else if (said != reasons.end()) {
       loop.hidden_by = said->second;
-    } else {
-      loop.hidden_by = why_not_listed(row);
+    } else if ((unlisted = why_not_listed(row))) {
+      loop.hidden_by = *unlisted;
     }
     loop.state = state_of(loop, loop.hidden_by.has_value());
-  }
-  std::ranges::stable_sort(loops, {}, [](const LoopRow& loop) {
-    return loop.rank.value_or(std::numeric_limits<std::int64_t>::max());
+    loops.push_back(loop);
+  };
+  snapshot.run_by_pieces(kEveryLoop, {}, [&](const pqxx::result& rows) {
+    for (const pqxx::row& row : rows) add(row);
   });
+  loops.put_flagged_first();
   return loops;
 }
 

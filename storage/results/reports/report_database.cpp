@@ -132,7 +132,7 @@ std::optional<FlaggedRow> ReportDatabase::newest(const std::string& loop_name) {
   return read_flagged(rows[0]);
 }
 
-std::vector<LoopRow> ReportDatabase::loops() {
+ListedLoops ReportDatabase::loops() {
   return list_loops(*impl_->snapshot, impl_->flagged(), impl_->hidden());
 }
 

@@ -8,6 +8,7 @@
 
 #include "storage/connection_settings.hpp"
 #include "storage/error.hpp"
+#include "storage/results/reports/listed_loops.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::storage {
@@ -54,7 +55,7 @@ class ReportDatabase {
   /// The newest verdict of a loop as if it were not on the list: rank 0. Does not read the list.
   [[nodiscard]] std::optional<FlaggedRow> newest(const std::string& loop_name);
   /// Every loop of the catalogue, by rank and name.
-  [[nodiscard]] std::vector<LoopRow> loops();
+  [[nodiscard]] ListedLoops loops();
   /// `text` in small letters as the database has them (LoopRow::searched); empty where no text of
   /// the database can hold it.
   [[nodiscard]] std::string in_small_letters(const std::string& text);

@@ -200,31 +200,6 @@ struct DataProblemRow {
   bool judged = false;  ///< whether the loop could be judged all the same
 };
 
-/// Any loop of the catalogue in one line.
-struct LoopRow {
-  std::int64_t loop_id = 0;
-  std::string name, source;
-  std::optional<std::string> loop_type, area, unit, description;
-  std::string searched;  ///< name, description and owner in small letters, as the database has them
-  /// Places in the order of the database's collation, whatever the case; equal texts have one
-  /// place. nullopt = the loop has none.
-  std::optional<std::int64_t> name_place, area_place, unit_place;
-  bool enabled = false;
-  double importance = 0.0;
-  std::string state;  ///< flagged, off the list, not flagged, never analysed, disabled
-  std::optional<std::string> code;   ///< nullopt = never analysed, as the next three
-  std::optional<double> confidence;  ///< 0 to 1
-  std::optional<std::int64_t> slot_end_us;
-  std::optional<std::string> summary;
-  std::optional<std::string> status;  ///< watch or confirmed; nullopt = not flagged
-  std::optional<std::int64_t> rank;   ///< in flagged_loop
-  /// Why a fault is not flagged, in words; nullopt = flagged, or no fault.
-  std::optional<std::string> hidden_by;
-  std::string health;                     ///< state of monitor_health
-  std::optional<std::string> follows;     ///< the shared oscillation, in words; nullopt = none
-  std::optional<std::string> shown_code;  ///< as FollowedRow::shown_code
-};
-
 /// A loop under other thresholds beside the present ones.
 struct WhatIfRow {
   /// As it would stand; where `change` is "lost", as it stands today.

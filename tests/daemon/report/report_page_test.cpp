@@ -19,7 +19,6 @@ PlantFacts plant(const std::string& area = "north") {
     storage::FlaggedRow row = flagged_row(k, "FIC" + std::to_string(k));
     if (k > 1) row.area = k % 2 == 0 ? area : "south";
     storage::LoopRow loop;
-    loop.loop_id = k;
     loop.enabled = true;
     loop.rank = k;
     loop.area = row.area;
@@ -64,7 +63,7 @@ TEST(ReportPage, HasASectionForEachLoopByArea) {
 
 TEST(ReportPage, WithoutAreasIsInTheOrderOfTheList) {
   PlantFacts facts = plant();
-  for (storage::LoopRow& loop : facts.loops) loop.area.reset();
+  facts.loops = without_areas(facts.loops);
   const std::string text = report_page(facts, reports(facts)).html;
   EXPECT_EQ(count(text, "class=\"area\""), 0U);
   EXPECT_LT(text.find("id=\"loop-2\""), text.find("id=\"loop-3\""));

@@ -90,4 +90,13 @@ PlantFacts plant_facts(const std::string& text) {
   return facts;
 }
 
+storage::ListedLoops without_areas(const storage::ListedLoops& loops) {
+  storage::ListedLoops rows;
+  for (storage::LoopRow row : loops) {
+    row.area.reset();
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 }  // namespace loopscope::daemon

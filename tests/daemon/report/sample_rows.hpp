@@ -3,6 +3,7 @@
 #include <string>
 
 #include "daemon/report/plant/plant_section.hpp"
+#include "storage/results/reports/listed_loops.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {
@@ -12,5 +13,7 @@ namespace loopscope::daemon {
 
 /// A plant with one of everything, every text being `text`.
 [[nodiscard]] PlantFacts plant_facts(const std::string& text);
+
+[[nodiscard]] storage::ListedLoops without_areas(const storage::ListedLoops& loops);
 
 }  // namespace loopscope::daemon

@@ -99,7 +99,7 @@ TEST_F(PlantBoxTest, AHealthyLoopThatIsShakenIsNotShownAsHealthy) {
   EXPECT_EQ(followed->source_name, "a");
   EXPECT_EQ(followed->shown_code, "external_disturbance");
   EXPECT_EQ(followed->strength, 0.6);
-  for (const LoopRow& row : results.loops())
+  for (const LoopRow row : results.loops())
     EXPECT_EQ(row.follows.has_value(), row.name != "a") << row.name;
 }
 

@@ -34,10 +34,10 @@ PlantFacts crowded(const std::string& text = "Reflux flow to the second column",
   }
   for (std::int64_t k = 0; k < 5 * flagged / 2; ++k) {
     storage::LoopRow loop;
-    loop.loop_id = k;
     loop.enabled = true;
-    loop.area_place = k % 20;
-    loop.area = text + std::to_string(k % 20);
+    const std::string area = text + std::to_string(k % 20);
+    loop.area_place = k % 20 + 1;
+    loop.area = area;
     if (k < flagged) loop.rank = k + 1;
     facts.loops.push_back(loop);
   }
@@ -76,7 +76,7 @@ TEST(LongLists, AreasLeadToTheirLoops) {
   EXPECT_THAT(text, HasSubstr("<a href=\"/loops?area=north7\"><bdi>north7</bdi></a>"));
   EXPECT_THAT(words_of(text), HasSubstr("north7 | 250 | 100 | 8"));
   PlantFacts nowhere = crowded();
-  for (storage::LoopRow& loop : nowhere.loops) loop.area.reset();
+  nowhere.loops = without_areas(nowhere.loops);
   EXPECT_THAT(words_of(plant_section(nowhere, LoopLinks::pages()).html), Not(HasSubstr("By area")));
 }
 

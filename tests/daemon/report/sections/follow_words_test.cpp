@@ -77,7 +77,7 @@ TEST(FollowWords, TheListOfAllLoopsSaysWhose) {
   row.shown_code = "external_disturbance";
   row.follows = "62 % of its error follows the plant-wide oscillation 3 of FIC1 (period 40 s)";
   const std::string text = loop_list({.loops = {row}, .fitting = 1, .all = 1}, {}, {}).html;
-  EXPECT_THAT(text, HasSubstr(*row.follows));
+  EXPECT_THAT(text, HasSubstr(std::string(*row.follows)));
   EXPECT_THAT(text, HasSubstr(">External disturbance</span>"));
   EXPECT_THAT(text, HasSubstr("<small>by itself healthy</small>"));
 }

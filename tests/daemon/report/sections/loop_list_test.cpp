@@ -110,8 +110,8 @@ TEST(LoopList, APageIsBelow200KB) {
 TEST(LoopList, NoHostileNameChangesTheMarkup) {
   const auto list_with = [](const std::string& text) {
     storage::LoopRow row;
-    row.name = row.source = row.health = text;
-    row.loop_type = row.code = row.status = row.follows = row.shown_code = text;
+    row.name = row.health = text;
+    row.code = row.status = row.follows = row.shown_code = text;
     storage::LoopRow hidden = row;
     hidden.status.reset();
     hidden.hidden_by = text;

@@ -12,25 +12,29 @@ using storage::LoopRow;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-LoopRow loop(std::int64_t place, const std::string& name, const std::string& code,
-             const std::string& state) {
+struct Known {
+  std::int64_t place = 0;
+  std::string_view name, searched, code, state;
+};
+
+LoopRow loop(const Known& known) {
   LoopRow row;
-  row.loop_id = row.name_place.emplace(place);
-  row.name = name;
-  row.searched = name + " reflux";
-  for (char& letter : row.searched)
-    if (letter >= 'A' && letter <= 'Z') letter += 'a' - 'A';
-  if (!code.empty()) row.code = row.shown_code = code;
-  row.state = state;
+  row.name_place = known.place;
+  row.name = known.name;
+  row.searched = known.searched;
+  if (!known.code.empty()) row.code = row.shown_code = known.code;
+  row.state = known.state;
   return row;
 }
 
 /// By rank and name, as the database gives them.
-std::vector<LoopRow> plant() {
-  std::vector<LoopRow> loops = {
-      loop(1, "FIC1", "valve_stiction", "flagged"), loop(2, "FIC2", "valve_stiction", "flagged"),
-      loop(3, "LIC3", "healthy", "not flagged"),    loop(6, "TIC4", "tight_tuning", "off the list"),
-      loop(4, "new", "", "never analysed"),         loop(5, "off", "healthy", "disabled")};
+storage::ListedLoops made_plant() {
+  std::vector<LoopRow> loops = {loop({1, "FIC1", "fic1 reflux", "valve_stiction", "flagged"}),
+                                loop({2, "FIC2", "fic2 reflux", "valve_stiction", "flagged"}),
+                                loop({3, "LIC3", "lic3 reflux", "healthy", "not flagged"}),
+                                loop({6, "TIC4", "tic4 reflux", "tight_tuning", "off the list"}),
+                                loop({4, "new", "new reflux", "", "never analysed"}),
+                                loop({5, "off", "off reflux", "healthy", "disabled"})};
   loops[0].rank = 1;
   loops[1].rank = 2;
   for (std::size_t k = 0; k < loops.size(); ++k)
@@ -43,6 +47,13 @@ std::vector<LoopRow> plant() {
   loops[1].area_place = 2;
   loops[1].unit = "crude";
   loops[1].unit_place = 1;
+  storage::ListedLoops rows;
+  for (const LoopRow& row : loops) rows.push_back(row);
+  return rows;
+}
+
+const storage::ListedLoops& plant() {
+  static const storage::ListedLoops loops = made_plant();
   return loops;
 }
 
@@ -54,7 +65,7 @@ LoopListing choose(LoopQuery query, const std::string& part = "") {
 
 std::vector<std::string> names(const LoopQuery& query, const std::string& part = "") {
   std::vector<std::string> found;
-  for (const LoopRow& row : choose(query, part).loops) found.push_back(row.name);
+  for (const LoopRow& row : choose(query, part).loops) found.emplace_back(row.name);
   return found;
 }
 
@@ -95,7 +106,7 @@ TEST(ChooseLoops, PagesHoldEveryLoopOnce) {
     const LoopListing page = choose({.order = LoopOrder::state, .skip = skip, .most = 4});
     EXPECT_EQ(page.all, 6);
     EXPECT_EQ(page.fitting, 6) << "on all pages";
-    for (const LoopRow& row : page.loops) seen.push_back(row.name);
+    for (const LoopRow& row : page.loops) seen.emplace_back(row.name);
   }
   EXPECT_THAT(seen, testing::UnorderedElementsAre("FIC1", "FIC2", "LIC3", "TIC4", "new", "off"));
   EXPECT_EQ(choose({.skip = 400, .most = 4}).loops.size(), 2U) << "the last page";

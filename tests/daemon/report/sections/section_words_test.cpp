@@ -189,7 +189,6 @@ TEST(SectionWords, ThePlant) {
 TEST(SectionWords, AllLoops) {
   storage::LoopRow row;
   row.name = "TIC2";
-  row.source = "plant";
   row.code = "healthy";
   row.shown_code = "external_disturbance";
   row.confidence = 0.93;

@@ -226,8 +226,9 @@ TEST_F(ReportDatabaseTest, EveryLoopAndWhyAFaultIsNotFlagged) {
   Catalogue(settings_for(*database)).set_enabled(std::vector<std::string>{"off"}, false);
   annotate("known");
   oscillate("flagged", "victim");
-  std::map<std::string, LoopRow> loops;
-  for (const LoopRow& loop : report().loops()) loops[loop.name] = loop;
+  const ListedLoops list = report().loops();
+  std::map<std::string_view, LoopRow> loops;
+  for (const LoopRow loop : list) loops[loop.name] = loop;
   ASSERT_EQ(loops.size(), 8U);
   EXPECT_EQ(loops["flagged"].rank, 1);
   EXPECT_EQ(loops["flagged"].status, "watch");

@@ -1,6 +1,7 @@
-#include "daemon/commands/memory.hpp"
+#include "daemon/service/threads/memory.hpp"
 
 #include <malloc.h>
+#include <thread>
 
 namespace loopscope::daemon {
 
@@ -11,7 +12,14 @@ void keep_freed_memory() {
   // NOLINTBEGIN(concurrency-mt-unsafe): main() calls this before there are other threads.
   mallopt(M_MMAP_THRESHOLD, 32 * kMebibyte);
   mallopt(M_TRIM_THRESHOLD, 64 * kMebibyte);
+  // Each thread with a heap of its own would keep what it once took, and there are many more than
+  // cores; so many that those who compute seldom wait for each other.
+  mallopt(M_ARENA_MAX, static_cast<int>(std::thread::hardware_concurrency()) + 1);
   // NOLINTEND(concurrency-mt-unsafe)
+}
+
+void give_back_freed_memory() {
+  malloc_trim(0);  // NOLINT(concurrency-mt-unsafe): its reads and writes are locked
 }
 
 }  // namespace loopscope::daemon

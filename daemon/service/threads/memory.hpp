@@ -9,4 +9,8 @@ namespace loopscope::daemon {
 /// what was in use at once. Call once, before the first thread.
 void keep_freed_memory();
 
+/// Hands all of it back once, some milliseconds: around a task that takes much more than what is
+/// kept, now and then. Thread-safe.
+void give_back_freed_memory();
+
 }  // namespace loopscope::daemon

@@ -1,4 +1,4 @@
-#include "daemon/commands/memory.hpp"
+#include "daemon/service/threads/memory.hpp"
 
 #include <gtest/gtest.h>
 #include <malloc.h>
