@@ -12,9 +12,6 @@
 namespace loopscope::storage {
 namespace {
 
-/// By index, so many are asked for together: an answer takes 100 kB a scan of a whole window.
-constexpr std::size_t kScansAtATime = 32;
-
 /// The span of a batch of scans, and what lies before it.
 std::pair<std::int64_t, std::int64_t> reach_of(const std::vector<Scan>& batch) {
   std::int64_t from = kLatestTimeUs;
@@ -42,12 +39,7 @@ void ScanReader::read(const std::vector<Scan>& batch, const TablesOf& tables_of,
   }
   if (rest.empty()) return;
   const auto [from, to] = reach_of(rest);
-  const std::vector<std::string> tables = tables_of(from, to);
-  for (std::size_t done = 0; done < rest.size(); done += kScansAtATime) {
-    const auto first = rest.begin() + static_cast<std::ptrdiff_t>(done);
-    const auto count = std::min(kScansAtATime, rest.size() - done);
-    read_by_index({first, first + static_cast<std::ptrdiff_t>(count)}, tables, parts);
-  }
+  read_by_index(rest, tables_of(from, to), parts);
 }
 
 void ScanReader::read_elsewhere(const std::vector<Scan>& batch, const TablesOf& tables_of,
