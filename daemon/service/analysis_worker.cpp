@@ -176,7 +176,7 @@ std::size_t AnalysisWorker::analyse(Batch& batch) {
     } else {
       complete(task, orders, batch);
     }
-    task = {};  // its windows: half a megabyte
+    task = {};  // its windows take some hundred kilobytes
   }
   batch.tasks.clear();
   batch.rows = {};

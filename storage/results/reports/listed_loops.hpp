@@ -35,7 +35,7 @@ struct LoopRow {
   std::optional<std::string_view> shown_code;  ///< as FollowedRow::shown_code
 };
 
-/// The loops of a catalogue of a hundred thousand and more in 140 bytes each and their texts, of
+/// The loops of a catalogue of a hundred thousand and more in 136 bytes each and their texts, of
 /// which equal ones are mostly kept once.
 class ListedLoops {
  public:
