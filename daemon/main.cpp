@@ -19,6 +19,6 @@ constexpr auto kCommands = std::to_array<AddCommand>(
 }  // namespace
 
 int main(int argc, char** argv) {
-  keep_freed_memory();
+  bound_thread_caches();
   return run_program(argc, argv, kCommands);
 }

@@ -98,7 +98,20 @@ double LineSpectrum::bin(std::size_t number) const {
   return lengthened(powers_[number]);
 }
 
-double LineSpectrum::sum_before(std::size_t number) const {
+LineSpectrum::Sums LineSpectrum::all_sums() const {
+  Sums sums;
+  sums.reserve(powers_.size() + 1);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < powers_.size(); ++k) {
+    sums.push_back(sum);
+    sum += bin(k);
+  }
+  sums.push_back(sum);
+  return sums;
+}
+
+double LineSpectrum::sum_before(std::size_t number, const Sums& sums) const {
+  if (!sums.empty()) return sums[number];
   // From the nearer end of the block.
   const std::size_t block = (number + kBlock / 2) / kBlock;
   const std::size_t known = std::min(block * kBlock, powers_.size());
@@ -108,28 +121,29 @@ double LineSpectrum::sum_before(std::size_t number) const {
   return sum;
 }
 
-LineSpectrum::Power LineSpectrum::power(double low, double high) const {
+LineSpectrum::Power LineSpectrum::power(double low, double high, const Sums& sums) const {
   const double last = static_cast<double>(powers_.size()) - 1.0;
   const double first = std::clamp(nearest(low * stretch_), 1.0, last);
   const double end = std::clamp(nearest(high * stretch_), first, last);
   const double bins = end - first + 1.0;
   // What is lost by rounding behind a tall line must not make a band of nothing.
   const double sum =
-      std::max(bins * lengthened(0), sum_before(static_cast<std::size_t>(end) + 1) -
-                                         sum_before(static_cast<std::size_t>(first)));
+      std::max(bins * lengthened(0), sum_before(static_cast<std::size_t>(end) + 1, sums) -
+                                         sum_before(static_cast<std::size_t>(first), sums));
   return {sum / bins, 2.0 * std::max(1.0, bins / stretch_ / kHannBins),
           0.5 * (first + end) / stretch_, sum / total_};
 }
 
-LineSpectrum::Peak LineSpectrum::measure(double place, std::size_t shape_number) const {
+LineSpectrum::Peak LineSpectrum::measure(double place, std::size_t shape_number,
+                                         const Sums& sums) const {
   const Shape& shape = kShapes.at(shape_number);
   const double half = std::max(1.0, shape.half_width * place);
   const double near = std::max(shape.near * place, half + kMainLobe);
   const double far = shape.far * place;
   if (far < near + 2.0) return {place};
-  const Power inside = power(place - half, place + half);
-  const Power below = power(place - far, place - near);
-  const Power above = power(place + near, place + far);
+  const Power inside = power(place - half, place + half, sums);
+  const Power below = power(place - far, place - near, sums);
+  const Power above = power(place + near, place + far, sums);
   constexpr double kLeastRatio = kLeastHeight * kResonance;
   // Between both sides lies their power law: most places are told without it.
   if (!(inside.mean > kLeastRatio * std::min(below.mean, above.mean))) return {place};
@@ -144,10 +158,10 @@ LineSpectrum::Peak LineSpectrum::measure(double place, std::size_t shape_number)
   return peak;
 }
 
-LineSpectrum::Peak LineSpectrum::best_at(double place) const {
+LineSpectrum::Peak LineSpectrum::best_at(double place, const Sums& sums) const {
   Peak best{place};
   for (std::size_t shape = 0; shape < kShapes.size(); ++shape) {
-    const Peak peak = measure(place, shape);
+    const Peak peak = measure(place, shape, sums);
     if (peak.p < best.p) best = peak;
   }
   return best;
@@ -168,10 +182,11 @@ double LineSpectrum::centre(const Peak& peak) const {
 
 std::vector<SpectralLine> LineSpectrum::lines(double largest_p) const {
   if (!(bands_ > 0.0)) return {};
+  const Sums sums = all_sums();
   std::vector<Peak> peaks;
   const double last = samples_ / kShortestPeriod;
   for (double place = kFewestPeriods; place <= last; place += std::max(0.5, kGridStep * place)) {
-    const Peak best = best_at(place);
+    const Peak best = best_at(place, sums);
     if (best.p <= largest_p) peaks.push_back(best);
   }
   std::ranges::stable_sort(peaks, {}, &Peak::p);

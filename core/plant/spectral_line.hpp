@@ -73,11 +73,14 @@ class LineSpectrum {
   };
   /// Of the periodogram by its largest.
   [[nodiscard]] double bin(std::size_t number) const;
-  /// Of the bins before this one.
-  [[nodiscard]] double sum_before(std::size_t number) const;
-  [[nodiscard]] Power power(double low, double high) const;
-  [[nodiscard]] Peak measure(double place, std::size_t shape_number) const;
-  [[nodiscard]] Peak best_at(double place) const;
+  /// Of the bins before each of them, and of all: what many places are measured by.
+  using Sums = std::vector<double>;
+  [[nodiscard]] Sums all_sums() const;
+  /// Of the bins before this one; without `sums` from the nearest block's.
+  [[nodiscard]] double sum_before(std::size_t number, const Sums& sums) const;
+  [[nodiscard]] Power power(double low, double high, const Sums& sums = {}) const;
+  [[nodiscard]] Peak measure(double place, std::size_t shape_number, const Sums& sums = {}) const;
+  [[nodiscard]] Peak best_at(double place, const Sums& sums = {}) const;
   /// The most significant line about a frequency; p = 1 where there is none that is clear.
   [[nodiscard]] Peak clear_line(double frequency_hz) const;
   /// Centre of the power within a peak.

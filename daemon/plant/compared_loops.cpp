@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "core/diagnosis/verdicts/verdict_catalogue.hpp"
+#include "core/plant/longer_record.hpp"
+#include "core/signal/microseconds.hpp"
 #include "daemon/text/printable.hpp"
 #include "storage/error.hpp"
 
@@ -47,6 +49,18 @@ std::vector<std::size_t> slow_ones(std::span<const LoopRecords> loops) {
   std::vector<std::size_t> numbers;
   for (const auto& [share, number] : slow) numbers.push_back(number);
   return numbers;
+}
+
+/// Whether an error from earlier rows goes on as the record's: about a setpoint, not about a mean
+/// of its own, and at an interval that is not found anew.
+bool goes_on(const storage::PlantCandidate& candidate, const PackedError& record) {
+  return !candidate.loop.sp_tag.empty() &&
+         candidate.loop.interval_s == std::optional(record.sample_interval_s());
+}
+
+/// One sample before the record.
+std::int64_t end_before(const PackedError& record) {
+  return record.start_us() - core::signal::microseconds(record.sample_interval_s());
 }
 
 PackedError packed(const PlantSeries& series) {
@@ -112,18 +126,40 @@ bool ComparedLoops::read_longer() {
     const CoreGate::Permit core(tools_.cores);
     slow = slow_ones(records_);
   }
+  const auto others = std::stable_partition(slow.begin(), slow.end(), [&](std::size_t loop) {
+    return goes_on(candidates_[loop], records_[loop].error());
+  });
+  const auto going_on = static_cast<std::size_t>(others - slow.begin());
+  const std::span all(slow);
   try {
-    return read_plant_series(candidates_, slow, {.windows = kLongerWindows, .error_only = true},
-                             settings_, tools_, [&](std::size_t k, const PlantSeries& series) {
-                               if (series.error.empty()) return;
-                               records_[slow[k]].add_longer(packed(series));
-                             });
+    return read_earlier(all.first(going_on)) && read_longer(all.subspan(going_on));
   } catch (const storage::DatabaseError& error) {
     // Old rows may be out of reach where new ones are not: the round goes on without them.
     spdlog::warn("plant round: slow swings are not compared, {} HINT: {}", printable(error.what()),
                  printable(error.hint()));
     return true;
   }
+}
+
+bool ComparedLoops::read_longer(std::span<const std::size_t> slow) {
+  return read_plant_series(candidates_, slow, {.windows = kLongerWindows, .of = kLongerWindows},
+                           settings_, tools_, [&](std::size_t k, const PlantSeries& series) {
+                             if (series.error.empty()) return;
+                             records_[slow[k]].add_longer(packed(series));
+                           });
+}
+
+bool ComparedLoops::read_earlier(std::span<const std::size_t> slow) {
+  std::vector<std::int64_t> ends_us;
+  for (const std::size_t loop : slow) ends_us.push_back(end_before(records_[loop].error()));
+  return read_plant_series(
+      candidates_, slow, {.windows = kLongerWindows - 1, .of = kLongerWindows, .ends_us = ends_us},
+      settings_, tools_, [&](std::size_t k, const PlantSeries& series) {
+        if (series.error.empty()) return;
+        core::plant::LoopRecords& records = records_[slow[k]];
+        records.add_longer(core::plant::longer_record({series.error, series.start_us},
+                                                      records.error(), kLongerWindows));
+      });
 }
 
 void ComparedLoops::keep_only(std::span<const core::plant::Event> events) {
@@ -152,8 +188,9 @@ bool ComparedLoops::read_members(std::span<const core::plant::Event> events) {
 }
 
 bool ComparedLoops::read_members(std::span<const std::size_t> members, std::size_t windows) {
-  return read_plant_series(candidates_, members, {.windows = windows, .error_only = false},
-                           settings_, tools_, [&](std::size_t k, PlantSeries&& series) {
+  return read_plant_series(candidates_, members,
+                           {.windows = windows, .of = windows, .error_only = false}, settings_,
+                           tools_, [&](std::size_t k, PlantSeries&& series) {
                              const std::size_t loop = members[k];
                              if (!series.error.empty())
                                show(loop, std::move(series));

@@ -44,6 +44,8 @@ class ComparedLoops {
   [[nodiscard]] std::int64_t oscillating() const { return oscillating_; }
 
  private:
+  [[nodiscard]] bool read_longer(std::span<const std::size_t> slow);
+  [[nodiscard]] bool read_earlier(std::span<const std::size_t> slow);
   [[nodiscard]] bool read_members(std::span<const std::size_t> members, std::size_t windows);
 
   void show(std::size_t loop, PlantSeries series);

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "core/plant/longer_record.hpp"
 #include "core/signal/microseconds.hpp"
 #include "core/signal/prepare.hpp"
 #include "daemon/service/historians/source_gate.hpp"
@@ -38,25 +39,14 @@ bool moves(const core::signal::Samples& sp) {
   return false;
 }
 
-/// Means of so many samples, of those that are known; what is left at the beginning goes.
 core::signal::Samples thinned(core::signal::Samples samples, std::size_t of) {
-  if (of <= 1) return samples;
-  core::signal::Samples means;
-  for (std::size_t k = samples.size() % of; k < samples.size(); k += of) {
-    double sum = 0.0, count = 0.0;
-    for (std::size_t i = k; i < k + of; ++i)
-      if (std::isfinite(samples[i])) sum += samples[i], count += 1.0;
-    means.push_back(count > 0.0 ? sum / count : core::signal::kMissing);
-  }
-  return means;
+  return of > 1 ? core::plant::means_of(samples, of) : samples;
 }
 
-/// When the first mean was taken: in the middle of its samples.
-std::int64_t start_of(const core::signal::LoopWindow& window, std::size_t samples, std::size_t of) {
-  // Making it ready may have cut the beginning of a longer window off.
-  const auto cut = static_cast<double>(window.size() - samples + samples % of);
-  const double middle = 0.5 * (static_cast<double>(of) - 1.0);
-  return window.start_us + core::signal::microseconds((cut + middle) * window.sample_interval_s);
+/// Making it ready may have cut the beginning of a longer window off.
+std::int64_t start_of(const core::signal::LoopWindow& window, std::size_t samples) {
+  const auto cut = static_cast<double>(window.size() - samples);
+  return window.start_us + core::signal::microseconds(cut * window.sample_interval_s);
 }
 
 PlantSeries series_of(const core::signal::LoopWindow& window, SeriesWanted how,
@@ -64,13 +54,14 @@ PlantSeries series_of(const core::signal::LoopWindow& window, SeriesWanted how,
   if (window.size() == 0) return {};
   core::signal::PreparedLoop loop = core::signal::prepare(window, settings);
   PlantSeries series;
-  series.start_us = start_of(window, loop.error.size(), how.windows);
-  series.sample_interval_s = loop.sample_interval_s * static_cast<double>(how.windows);
-  series.error = thinned(std::move(loop.error), how.windows);
+  series.start_us = core::plant::start_of_means(start_of(window, loop.error.size()),
+                                                loop.error.size(), how.of, loop.sample_interval_s);
+  series.sample_interval_s = loop.sample_interval_s * static_cast<double>(how.of);
+  series.error = thinned(std::move(loop.error), how.of);
   if (how.error_only) return series;
-  if (moves(loop.sp)) series.sp = thinned(std::move(loop.sp), how.windows);
-  series.pv = thinned(std::move(loop.pv), how.windows);
-  series.op = thinned(std::move(loop.op_percent), how.windows);
+  if (moves(loop.sp)) series.sp = thinned(std::move(loop.sp), how.of);
+  series.pv = thinned(std::move(loop.pv), how.of);
+  series.op = thinned(std::move(loop.op_percent), how.of);
   return series;
 }
 
@@ -101,8 +92,10 @@ void read_batch(storage::HistorianReader& historian, const LoopBatch& batch,
   RowMemory memory;
   for (const std::size_t k : batch.numbers) {
     const storage::PlantCandidate& candidate = batch.candidates[batch.wanted[k]];
-    slots.push_back(past_slot(candidate.loop, candidate.slot_end_us));
-    know_kept(candidate, settings, tools.windows, memory);
+    const bool newest = batch.how.ends_us.empty();
+    slots.push_back(
+        past_slot(candidate.loop, newest ? candidate.slot_end_us : batch.how.ends_us[k]));
+    if (newest) know_kept(candidate, settings, tools.windows, memory);
   }
   core::signal::PrepareSettings prepare = settings.analysis.prepare;
   prepare.window_samples *= batch.how.windows;

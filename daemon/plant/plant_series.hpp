@@ -26,14 +26,18 @@ struct PlantSeries {
 
 /// How much of a loop is wanted.
 struct SeriesWanted {
-  std::size_t windows = 1;  ///< >= 1: so many windows' time, as means of so many samples
+  std::size_t windows = 1;  ///< >= 1: so many windows' time
+  std::size_t of = 1;       ///< >= 1: as means of so many samples
   bool error_only = true;   ///< 33 kB a loop instead of 130
+  /// Of every wanted loop, where it is not that of its slot; microseconds UTC since 1970.
+  std::span<const std::int64_t> ends_us = {};
 };
 
 /// What was read of wanted[k]; called with a core's permit, for every k once at most.
 using TakeSeries = std::function<void(std::size_t k, PlantSeries&& series)>;
 
-/// Reads the newest windows of `wanted` (indices of candidates) again, a batch of one historian at
+/// Reads windows of `wanted` (indices of candidates) again, the newest where `how` does not say
+/// another end, a batch of one historian at
 /// a time, but for rows that the daemon has kept (`tools.windows`), as they were at its last visit.
 /// False = it stopped early, since the process shall end. Throws storage::DatabaseError when a
 /// historian is away, Failure when the settings have no such source.

@@ -82,7 +82,7 @@ void digest(benchmark::State& state) {
 }
 
 /// As the program does.
-const bool kKept = (daemon::keep_freed_memory(), true);
+const bool kKept = (daemon::bound_thread_caches(), true);
 
 BENCHMARK(prepare)->Name("analysis/prepare")->Unit(benchmark::kMicrosecond);
 BENCHMARK(statistics)->Name("analysis/statistics")->Unit(benchmark::kMicrosecond);

@@ -82,7 +82,7 @@ void add(const std::string& name, const std::vector<std::string_view>& scenarios
 
 int main(int argc, char** argv) {
   using loopscope::core::model::add;
-  loopscope::daemon::keep_freed_memory();  // as the program does
+  loopscope::daemon::bound_thread_caches();  // as the program does
   add("model/healthy", {"healthy_flow", "level_loop", "tight_tuning", "paper_5_1"});
   add("model/stiction", {"sticking_valve", "paper_5_4", "paper_5_4_kano", "square_limit_cycle"});
   add("model/deadband", {"deadband"});

@@ -2,15 +2,16 @@
 
 namespace loopscope::daemon {
 
-/// Keeps freed memory in the process instead of handing it back to the kernel.
+/// Bounds what the allocator keeps for single threads. Call once, before the first thread.
 ///
-/// An analysis takes and frees some 200 kB a dozen times a window; fetching these pages from the
-/// kernel each time costs as much as the squared bicoherence itself. What is kept is bounded by
-/// what was in use at once. Call once, before the first thread.
-void keep_freed_memory();
+/// The allocator is tcmalloc (Ghemawat and Menage), but for builds with sanitizers. An analysis
+/// takes and frees blocks of 8 to 200 kB a hundred times a window: glibc's malloc hands these out
+/// under a lock that four workers on two cores wait for, and looks for them in lists (a tenth of
+/// the program's time; daemon/MEASURED.md); jemalloc and mimalloc fetch the pages anew.
+void bound_thread_caches();
 
-/// Hands all of it back once, some milliseconds: around a task that takes much more than what is
-/// kept, now and then. Thread-safe.
+/// Hands freed memory back to the kernel, some milliseconds: around a task that takes much more
+/// than what is kept, now and then. Thread-safe.
 void give_back_freed_memory();
 
 }  // namespace loopscope::daemon
