@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <exception>
 #include <new>
 #include <poll.h>
 
@@ -62,6 +63,35 @@ void PqConnection::set_up() {
 
 PqRows PqConnection::run(const Statement& statement, const std::vector<std::string>& parameters,
                          ResultFormat format) {
+  start_pipeline(statement, parameters, format);
+  PqRows rows = finish_pipeline();
+  check_rows(statement, static_cast<std::size_t>(rows.size()));
+  if (told_) told_();
+  return rows;
+}
+
+void PqConnection::run_by_row(const Statement& statement,
+                              const std::vector<std::string>& parameters, const TakeRow& take) {
+  start_pipeline(statement, parameters, ResultFormat::binary);
+  std::size_t count = 0;
+  std::exception_ptr thrown;
+  finish_pipeline([&](const PqRows& row) {
+    ++count;
+    if (thrown) return;
+    try {
+      take(row);
+    } catch (...) {
+      // The rest of the answer has to be fetched before the next statement.
+      thrown = std::current_exception();
+    }
+  });
+  if (thrown) std::rethrow_exception(thrown);
+  check_rows(statement, count);
+  if (told_) told_();
+}
+
+void PqConnection::start_pipeline(const Statement& statement,
+                                  const std::vector<std::string>& parameters, ResultFormat format) {
   start(statement);
   if (PQenterPipelineMode(connection_.get()) == 0) fail_connection();
   // One round trip and one transaction: where the check fails the server passes over the rest.
@@ -69,10 +99,6 @@ PqRows PqConnection::run(const Statement& statement, const std::vector<std::stri
   send(statement.sql, parameters, format);
   if (PQpipelineSync(connection_.get()) == 0) fail_connection();
   flush();
-  PqRows rows = finish_pipeline();
-  check_rows(statement, static_cast<std::size_t>(rows.size()));
-  if (told_) told_();
-  return rows;
 }
 
 void PqConnection::send(const std::string& sql, const std::vector<std::string>& parameters,
@@ -157,17 +183,18 @@ PqRows PqConnection::finish() {
   return rows;
 }
 
-PqRows PqConnection::finish_pipeline() {
+PqRows PqConnection::finish_pipeline(const TakeRow& take) {
   PqRows rows(nullptr);
   PqRows error(nullptr);
+  if (take && session_.check_sql.empty()) PQsetSingleRowMode(connection_.get());
   for (ExecStatusType status = PGRES_EMPTY_QUERY; status != PGRES_PIPELINE_SYNC;) {
-    PqRows answer(await_result());
-    // Between two answers there is an empty one; a connection that broke has nothing else left.
-    if (!answer) answer = PqRows(await_result());
+    PqRows answer = next_of_pipeline(take != nullptr);
     if (!answer) break;
     status = answer.status();
     if (is_error(status)) {
       if (!error) error = std::move(answer);
+    } else if (status == PGRES_SINGLE_TUPLE) {
+      take(answer);
     } else if (status == PGRES_COMMAND_OK || status == PGRES_TUPLES_OK) {
       rows = std::move(answer);
     }
@@ -177,6 +204,15 @@ PqRows PqConnection::finish_pipeline() {
   if (error) fail(error);
   if (!rows) fail_connection();
   return rows;
+}
+
+PqRows PqConnection::next_of_pipeline(bool by_row) {
+  PqRows answer(await_result());
+  if (answer) return answer;
+  // Between two answers there is an empty one; a connection that broke has nothing else left. The
+  // next one's form is settled now or never.
+  if (by_row) PQsetSingleRowMode(connection_.get());
+  return PqRows(await_result());
 }
 
 PGresult* PqConnection::await_result() {

@@ -20,6 +20,9 @@
 
 namespace loopscope::storage {
 
+/// Gets an answer of one row.
+using TakeRow = std::function<void(const PqRows& row)>;
+
 enum class ResultFormat { text = 0, binary = 1 };
 
 /// The longest name of a table or a column in bytes (PostgreSQL's NAMEDATALEN - 1). A longer one
@@ -41,6 +44,11 @@ class PqConnection {
   /// unless one was begun. Refuses (give_up) a number of rows that the statement does not promise.
   PqRows run(const Statement& statement, const std::vector<std::string>& parameters = {},
              ResultFormat format = ResultFormat::text);
+  /// The same in binary, a row at a time: `take` gets each as it comes, and only one is in memory.
+  /// What it throws is thrown once the answer has ended; what came before may be of an answer that
+  /// ends with an error.
+  void run_by_row(const Statement& statement, const std::vector<std::string>& parameters,
+                  const TakeRow& take);
   /// Runs a COPY ... FROM STDIN in text format; returns the rows written. `next(chunk)` fills a
   /// chunk with whole or partial lines and returns false when there is none left.
   template <typename Next>
@@ -78,10 +86,17 @@ class PqConnection {
   void send_copy(std::string_view chunk);
   std::size_t end_copy();
   void start(const Statement& statement);
+  /// Sends the session's check and the statement as one pipeline.
+  void start_pipeline(const Statement& statement, const std::vector<std::string>& parameters,
+                      ResultFormat format);
   void flush();
   PqRows finish();
-  /// The last answer of a pipeline; throws the first that is an error.
-  PqRows finish_pipeline();
+  /// The last answer of a pipeline; throws the first that is an error. Rows of the statement go to
+  /// `take` one by one where there is one.
+  PqRows finish_pipeline(const TakeRow& take = nullptr);
+  /// An answer of the pipeline, none = the connection broke; with `by_row` those behind the check's
+  /// come a row at a time.
+  [[nodiscard]] PqRows next_of_pipeline(bool by_row);
   [[nodiscard]] PGresult* await_result();
   [[nodiscard]] PqRows next_result();
   /// Waits until the socket is ready for `events` (poll); throws when the deadline has passed.
@@ -102,13 +117,11 @@ class PqConnection {
   std::function<void()> told_;
 };
 
-/// Runs `read(rows)` on the answer and turns bytes that make no sense into a database error.
+/// Runs `read` and turns bytes that make no sense into an error of the statement.
 template <typename Read>
-void run_decoded(PqConnection& connection, const Statement& statement,
-                 const std::vector<std::string>& parameters, Read read) {
-  const PqRows rows = connection.run(statement, parameters, ResultFormat::binary);
+void decode(const PqConnection& connection, const Statement& statement, Read read) {
   try {
-    read(rows);
+    read();
   } catch (const MalformedArray& error) {
     throw DatabaseError(
         std::string(error.what()) + ", statement " + statement.name + ", " + connection.target(),
@@ -116,6 +129,21 @@ void run_decoded(PqConnection& connection, const Statement& statement,
         "this with the server's version",
         Remedy::give_up);
   }
+}
+
+/// Runs `read(rows)` on the answer, in binary.
+template <typename Read>
+void run_decoded(PqConnection& connection, const Statement& statement,
+                 const std::vector<std::string>& parameters, Read read) {
+  const PqRows rows = connection.run(statement, parameters, ResultFormat::binary);
+  decode(connection, statement, [&] { read(rows); });
+}
+
+/// Runs `read(row)` on each row of the answer as it comes.
+template <typename Read>
+void run_decoded_by_row(PqConnection& connection, const Statement& statement,
+                        const std::vector<std::string>& parameters, Read read) {
+  decode(connection, statement, [&] { connection.run_by_row(statement, parameters, read); });
 }
 
 }  // namespace loopscope::storage

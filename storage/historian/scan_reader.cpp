@@ -54,8 +54,10 @@ void ScanReader::read_by_index(const std::vector<Scan>& batch,
                                const std::vector<std::string>& tables, Parts& parts) {
   if (tables.empty()) return;
   const Statement statement = historian_statements::read_scans(layout_, tables, columns_of(batch));
-  run_decoded(connection_, statement, scan_parameters(batch, layout_),
-              [&](const PqRows& rows) { take_rows(rows, batch, RowOrder::newest_first, parts); });
+  // The rows of a batch are ten megabytes.
+  run_decoded_by_row(
+      connection_, statement, scan_parameters(batch, layout_),
+      [&](const PqRows& row) { take_rows(row, batch, RowOrder::newest_first, parts); });
 }
 
 bool ScanReader::read_in_heap_order(const std::vector<Scan>& batch,

@@ -1,6 +1,9 @@
 #include "storage/historian/pq_connection.hpp"
 
 #include <gmock/gmock.h>
+#include <new>
+#include <string>
+#include <vector>
 
 #include "storage/error.hpp"
 #include "tests/storage/historian/historian_fixture.hpp"
@@ -31,6 +34,45 @@ TEST_F(PqConnectionTest, ErrorLeavesTheConnectionUsable) {
   EXPECT_EQ(connection.run({"right", "SELECT 42"}).text(0, 0), "42");
 }
 
+TEST_F(PqConnectionTest, RowsComeOneByOne) {
+  PqConnection connection(settings());
+  const std::string sql = "SELECT 'row ' || i FROM generate_series(1, 1000) AS i";
+  std::vector<std::string> found;
+  connection.run_by_row({"rows", sql}, {}, [&](const PqRows& row) {
+    ASSERT_EQ(row.size(), 1);
+    found.push_back(row.text(0, 0));
+  });
+  ASSERT_EQ(found.size(), 1000U);
+  EXPECT_EQ(found.front(), "row 1");
+  EXPECT_EQ(found.back(), "row 1000");
+  // Neither the check before it nor the statement after it is taken for its rows.
+  EXPECT_EQ(connection.run({"right", sql}).size(), 1000);
+}
+
+TEST_F(PqConnectionTest, ErrorAmongRowsLeavesTheConnectionUsable) {
+  PqConnection connection(settings());
+  int rows = 0;
+  const Statement wrong{"wrong", "SELECT 1 / (900 - i) FROM generate_series(1, 1000) AS i"};
+  EXPECT_THROW(connection.run_by_row(wrong, {}, [&](const PqRows&) { ++rows; }), DatabaseError);
+  EXPECT_LT(rows, 1000);
+  EXPECT_EQ(connection.run({"right", "SELECT 42"}).text(0, 0), "42");
+}
+
+TEST_F(PqConnectionTest, WhatIsThrownAtARowLeavesTheConnectionUsable) {
+  PqConnection connection(settings());
+  const Statement rows{"rows", "SELECT i FROM generate_series(1, 1000) AS i"};
+  const auto refuse = [](const PqRows&) { throw std::bad_alloc(); };
+  EXPECT_THROW(connection.run_by_row(rows, {}, refuse), std::bad_alloc);
+  EXPECT_EQ(connection.run({"right", "SELECT 42"}).text(0, 0), "42");
+}
+
+TEST_F(PqConnectionTest, RowsThatAStatementDoesNotPromiseAreRefused) {
+  PqConnection connection(settings());
+  const Statement two{"two", "SELECT i FROM generate_series(1, 2) AS i", Rows::one};
+  EXPECT_THROW(connection.run_by_row(two, {}, [](const PqRows&) {}), DatabaseError);
+  EXPECT_EQ(connection.run({"right", "SELECT 42"}).text(0, 0), "42");
+}
+
 TEST_F(PqConnectionTest, QuotesNamesAndRefusesBytesThatAreNone) {
   const PqConnection connection(settings());
   EXPECT_EQ(connection.quote("we\"ird"), "\"we\"\"ird\"");
@@ -39,7 +81,8 @@ TEST_F(PqConnectionTest, QuotesNamesAndRefusesBytesThatAreNone) {
 
 TEST_F(PqConnectionTest, LargeParametersAreSentWhole) {
   PqConnection connection(settings());
-  const std::string large(20'000'000, 'x');
+  std::string large;
+  large.assign(20'000'000, 'x');
   EXPECT_EQ(connection.run({"length", "SELECT length($1)"}, {large}).text(0, 0), "20000000");
 }
 
