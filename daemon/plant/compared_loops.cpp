@@ -81,6 +81,7 @@ PlantSeries error_of(const PackedError& error) {
 ComparedLoops::ComparedLoops(std::vector<storage::PlantCandidate> candidates,
                              const config::Settings& settings, SharedServices& tools)
     : candidates_(std::move(candidates)), settings_(settings), tools_(tools) {
+  loops_.reserve(candidates_.size());
   for (storage::PlantCandidate& candidate : candidates_) {
     loops_.push_back(loop_of(candidate));
     candidate.verdict = {};  // a kilobyte

@@ -62,6 +62,7 @@ void AnalysisWorker::account(const storage::StageCost& cost) {
 }
 
 std::vector<ClaimedLoop> AnalysisWorker::claim_due() {
+  if (tools_.comparing && index_ >= workers_beside_comparison(settings_->daemon)) return {};
   const config::ScheduleSettings& schedule = settings_->schedule;
   const std::vector<std::string> away = tools_.sources_away();
   return timed_claim([&](storage::ResultsDatabase& database) {

@@ -38,8 +38,8 @@ class AnalysisWorker {
   AnalysisWorker(const AnalysisWorker&) = delete;  // its parts refer to each other
   AnalysisWorker& operator=(const AnalysisWorker&) = delete;
 
-  /// Claims a share of the loops that are due. Throws storage::DatabaseError when the results
-  /// database fails.
+  /// Claims a share of the loops that are due; none where this worker rests while all loops are
+  /// compared. Throws storage::DatabaseError when the results database fails.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_due();
   /// Claims one loop that may be what kills processes, if no other worker has one in hand.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_suspect();

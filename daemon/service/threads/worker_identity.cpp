@@ -33,6 +33,11 @@ std::size_t worker_count(const config::DaemonSettings& settings) {
                     kMostWorkersPerCore * cores);
 }
 
+std::size_t workers_beside_comparison(const config::DaemonSettings& settings) {
+  const std::size_t workers = worker_count(settings);
+  return std::max<std::size_t>(workers - workers / core_count(settings), 1);
+}
+
 std::string process_name() {
   return fmt::format("{}/{}", host_name(), getpid());
 }

@@ -14,6 +14,10 @@ namespace loopscope::daemon {
 /// one fetches and writes while the other analyses. At least one and at most eight for each core.
 [[nodiscard]] std::size_t worker_count(const config::DaemonSettings& settings);
 
+/// Those of them that go on while all loops are compared, which takes a core: without the batches
+/// of one core, whose memory is then where most is held at all. At least 1.
+[[nodiscard]] std::size_t workers_beside_comparison(const config::DaemonSettings& settings);
+
 /// As gethostname() has it; may be empty.
 [[nodiscard]] std::string host_name();
 /// What this process signs with: host/pid.

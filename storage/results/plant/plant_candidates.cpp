@@ -65,11 +65,11 @@ PlantCandidate read_candidate(const pqxx::row& row) {
 std::vector<PlantCandidate> plant_candidates(Session& session, std::int64_t slot_end_us,
                                              std::int64_t limit) {
   return session.transact([&](Transaction& transaction) {
+    const pqxx::result rows =
+        transaction.run(kPlantCandidates, {timestamp_text(slot_end_us), std::to_string(limit)});
     std::vector<PlantCandidate> candidates;
-    for (const pqxx::row& row :
-         transaction.run(kPlantCandidates, {timestamp_text(slot_end_us), std::to_string(limit)})) {
-      candidates.push_back(read_candidate(row));
-    }
+    candidates.reserve(static_cast<std::size_t>(rows.size()));
+    for (const pqxx::row& row : rows) candidates.push_back(read_candidate(row));
     return candidates;
   });
 }
