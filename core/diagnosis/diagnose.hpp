@@ -67,7 +67,7 @@ struct ModelPlan {
 
 /// Raised whenever the same window and settings may give another diagnosis than before: part of
 /// the key of every stored analysis.
-inline constexpr int kAlgorithmRevision = 31;
+inline constexpr int kAlgorithmRevision = 32;
 
 /// The table of contents of core/: window in, evidence and verdict out. A window that cannot be
 /// judged ends as `insufficient_data`, never as an exception; settings out of range and series of

@@ -27,6 +27,14 @@ std::int64_t start_of_means(std::int64_t start_us, std::size_t samples, std::siz
          signal::microseconds((static_cast<double>(samples % of) + middle) * sample_interval_s);
 }
 
+std::int64_t end_of_earlier(const PackedError& record, std::size_t of) {
+  constexpr std::size_t kShared = 256;
+  const std::size_t means = std::min(kShared, record.size()) / of;
+  const std::size_t samples = record.size() % of + means * of;
+  return record.start_us() +
+         signal::microseconds((static_cast<double>(samples) - 1.0) * record.sample_interval_s());
+}
+
 PackedError longer_record(const EarlierMeans& earlier, const PackedError& record, std::size_t of) {
   const double interval_s = record.sample_interval_s() * static_cast<double>(of);
   const signal::Samples own = means_of(record.unpacked(), of);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/signal/gaps.hpp"
+
 namespace loopscope::core::plant {
 namespace {
 
@@ -18,9 +20,13 @@ std::int16_t nearest_step(double steps) {
 
 }  // namespace
 
+ErrorAbout error_about(const signal::PreparedLoop& loop) {
+  return signal::count_recorded(loop.sp) > 0 ? ErrorAbout::setpoint : ErrorAbout::own_mean;
+}
+
 PackedError::PackedError(std::span<const double> error, double sample_interval_s,
-                         std::int64_t start_us)
-    : sample_interval_s_(sample_interval_s), start_us_(start_us) {
+                         std::int64_t start_us, ErrorAbout about)
+    : sample_interval_s_(sample_interval_s), start_us_(start_us), about_(about) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const double value : error)
     if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 #include "core/hos/numeric/distributions.hpp"
 #include "core/plant/envelope.hpp"
@@ -67,6 +68,18 @@ std::uint16_t shortened(double power) {
 
 double lengthened(std::uint16_t power) {
   return static_cast<double>(std::bit_cast<float>((power + kLowest) << kFractionBits));
+}
+
+/// Whether the p of an F statistic is larger than this for sure, told without its law. With a =
+/// freedom / 2 >= 1, x = a ratio and t = x^a exp(-x) / gamma(a) (Stirling: at most a tenth larger
+/// than here) the p of a chi-square variable lies between t / x and t / (x - a + 1). Divided by
+/// another variable, whose mean is 1, it has no smaller one: p is convex about x, and as long as
+/// p + t <= 1 its tangent there stays below it down to 0.
+bool surely_above(double p, double ratio, double freedom) {
+  const double a = 0.5 * freedom, x = a * ratio;
+  const double t = std::sqrt(a / (2.0 * std::numbers::pi)) *
+                   std::exp(a * (std::log(ratio) - ratio + 1.0) - 1.0 / (12.0 * a));
+  return x > a && t > p * x && 1.1 * t * (1.0 + 1.0 / (x - a + 1.0)) <= 1.0;
 }
 
 }  // namespace
@@ -134,8 +147,8 @@ LineSpectrum::Power LineSpectrum::power(double low, double high, const Sums& sum
           0.5 * (first + end) / stretch_, sum / total_};
 }
 
-LineSpectrum::Peak LineSpectrum::measure(double place, std::size_t shape_number,
-                                         const Sums& sums) const {
+LineSpectrum::Peak LineSpectrum::measure(double place, std::size_t shape_number, const Sums& sums,
+                                         double largest_p) const {
   const Shape& shape = kShapes.at(shape_number);
   const double half = std::max(1.0, shape.half_width * place);
   const double near = std::max(shape.near * place, half + kMainLobe);
@@ -151,17 +164,19 @@ LineSpectrum::Peak LineSpectrum::measure(double place, std::size_t shape_number,
   const double weight = to / (to - from), rest = 1.0 - weight;
   const double around = std::exp(weight * std::log(below.mean) + rest * std::log(above.mean));
   Peak peak{place, 1.0, inside.mean / around, 0.0, half};
-  if (!(peak.height > kLeastRatio)) return peak;
+  if (!(peak.height > kLeastRatio) ||
+      surely_above(largest_p, peak.height / kResonance, inside.freedom))
+    return peak;
   const double freedom = 1.0 / (weight * weight / below.freedom + rest * rest / above.freedom);
   peak.p = hos::f_upper(peak.height / kResonance, inside.freedom, freedom);
   peak.share = inside.share * (1.0 - 1.0 / peak.height);
   return peak;
 }
 
-LineSpectrum::Peak LineSpectrum::best_at(double place, const Sums& sums) const {
+LineSpectrum::Peak LineSpectrum::best_at(double place, double largest_p, const Sums& sums) const {
   Peak best{place};
   for (std::size_t shape = 0; shape < kShapes.size(); ++shape) {
-    const Peak peak = measure(place, shape, sums);
+    const Peak peak = measure(place, shape, sums, std::min(largest_p, best.p));
     if (peak.p < best.p) best = peak;
   }
   return best;
@@ -186,7 +201,7 @@ std::vector<SpectralLine> LineSpectrum::lines(double largest_p) const {
   std::vector<Peak> peaks;
   const double last = samples_ / kShortestPeriod;
   for (double place = kFewestPeriods; place <= last; place += std::max(0.5, kGridStep * place)) {
-    const Peak best = best_at(place, sums);
+    const Peak best = best_at(place, largest_p, sums);
     if (best.p <= largest_p) peaks.push_back(best);
   }
   std::ranges::stable_sort(peaks, {}, &Peak::p);
@@ -209,7 +224,7 @@ LineSpectrum::Peak LineSpectrum::clear_line(double frequency_hz) const {
   const double place = frequency_hz * duration_s_;
   Peak none{place, 1.0, 1.0};
   if (!(bands_ > 0.0) || place < kFewestPeriods || place * kShortestPeriod > samples_) return none;
-  const Peak best = best_at(place);
+  const Peak best = best_at(place, kClearLine);
   return best.p <= kClearLine ? best : none;
 }
 

@@ -79,8 +79,10 @@ class LineSpectrum {
   /// Of the bins before this one; without `sums` from the nearest block's.
   [[nodiscard]] double sum_before(std::size_t number, const Sums& sums) const;
   [[nodiscard]] Power power(double low, double high, const Sums& sums = {}) const;
-  [[nodiscard]] Peak measure(double place, std::size_t shape_number, const Sums& sums = {}) const;
-  [[nodiscard]] Peak best_at(double place, const Sums& sums = {}) const;
+  /// p = 1 where it is larger than `largest_p`.
+  [[nodiscard]] Peak measure(double place, std::size_t shape_number, const Sums& sums = {},
+                             double largest_p = 1.0) const;
+  [[nodiscard]] Peak best_at(double place, double largest_p, const Sums& sums = {}) const;
   /// The most significant line about a frequency; p = 1 where there is none that is clear.
   [[nodiscard]] Peak clear_line(double frequency_hz) const;
   /// Centre of the power within a peak.

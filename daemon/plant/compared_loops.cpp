@@ -7,13 +7,13 @@
 
 #include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "core/plant/longer_record.hpp"
-#include "core/signal/microseconds.hpp"
 #include "daemon/text/printable.hpp"
 #include "storage/error.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
+using core::plant::ErrorAbout;
 using core::plant::LoopRecords;
 using core::plant::MemberLoop;
 using core::plant::PackedError;
@@ -54,17 +54,24 @@ std::vector<std::size_t> slow_ones(std::span<const LoopRecords> loops) {
 /// Whether an error from earlier rows goes on as the record's: about a setpoint, not about a mean
 /// of its own, and at an interval that is not found anew.
 bool goes_on(const storage::PlantCandidate& candidate, const PackedError& record) {
-  return !candidate.loop.sp_tag.empty() &&
+  return record.about() == ErrorAbout::setpoint &&
          candidate.loop.interval_s == std::optional(record.sample_interval_s());
 }
 
-/// One sample before the record.
-std::int64_t end_before(const PackedError& record) {
-  return record.start_us() - core::signal::microseconds(record.sample_interval_s());
+/// Old rows may be out of reach where new ones are not: the round goes on without them.
+template <typename Read>
+bool unless_out_of_reach(Read read) {
+  try {
+    return read();
+  } catch (const storage::DatabaseError& error) {
+    spdlog::warn("plant round: slow swings are not compared, {} HINT: {}", printable(error.what()),
+                 printable(error.hint()));
+    return true;
+  }
 }
 
 PackedError packed(const PlantSeries& series) {
-  return {series.error, series.sample_interval_s, series.start_us};
+  return {series.error, series.sample_interval_s, series.start_us, series.about};
 }
 
 /// Of a loop whose rows have gone since.
@@ -73,6 +80,7 @@ PlantSeries error_of(const PackedError& error) {
   series.sample_interval_s = error.sample_interval_s();
   series.start_us = error.start_us();
   series.error = error.unpacked();
+  series.about = error.about();
   return series;
 }
 
@@ -132,14 +140,8 @@ bool ComparedLoops::read_longer() {
   });
   const auto going_on = static_cast<std::size_t>(others - slow.begin());
   const std::span all(slow);
-  try {
-    return read_earlier(all.first(going_on)) && read_longer(all.subspan(going_on));
-  } catch (const storage::DatabaseError& error) {
-    // Old rows may be out of reach where new ones are not: the round goes on without them.
-    spdlog::warn("plant round: slow swings are not compared, {} HINT: {}", printable(error.what()),
-                 printable(error.hint()));
-    return true;
-  }
+  return unless_out_of_reach([&] { return read_earlier(all.first(going_on)); }) &&
+         unless_out_of_reach([&] { return read_longer(all.subspan(going_on)); });
 }
 
 bool ComparedLoops::read_longer(std::span<const std::size_t> slow) {
@@ -152,11 +154,12 @@ bool ComparedLoops::read_longer(std::span<const std::size_t> slow) {
 
 bool ComparedLoops::read_earlier(std::span<const std::size_t> slow) {
   std::vector<std::int64_t> ends_us;
-  for (const std::size_t loop : slow) ends_us.push_back(end_before(records_[loop].error()));
+  for (const std::size_t loop : slow)
+    ends_us.push_back(core::plant::end_of_earlier(records_[loop].error(), kLongerWindows));
   return read_plant_series(
       candidates_, slow, {.windows = kLongerWindows - 1, .of = kLongerWindows, .ends_us = ends_us},
       settings_, tools_, [&](std::size_t k, const PlantSeries& series) {
-        if (series.error.empty()) return;
+        if (series.error.empty() || series.about != ErrorAbout::setpoint) return;
         core::plant::LoopRecords& records = records_[slow[k]];
         records.add_longer(core::plant::longer_record({series.error, series.start_us},
                                                       records.error(), kLongerWindows));

@@ -57,6 +57,7 @@ PlantSeries series_of(const core::signal::LoopWindow& window, SeriesWanted how,
   series.start_us = core::plant::start_of_means(start_of(window, loop.error.size()),
                                                 loop.error.size(), how.of, loop.sample_interval_s);
   series.sample_interval_s = loop.sample_interval_s * static_cast<double>(how.of);
+  series.about = core::plant::error_about(loop);
   series.error = thinned(std::move(loop.error), how.of);
   if (how.error_only) return series;
   if (moves(loop.sp)) series.sp = thinned(std::move(loop.sp), how.of);

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "config/settings.hpp"
+#include "core/plant/packed_error.hpp"
 #include "core/signal/loop_window.hpp"
 #include "daemon/service/shared/shared_services.hpp"
 #include "storage/results/plant/plant_candidates.hpp"
@@ -19,7 +20,8 @@ struct PlantSeries {
   double sample_interval_s = 1.0;
   std::int64_t start_us = 0;    ///< of the first sample, microseconds UTC since 1970
   core::signal::Samples error;  ///< sp - pv, pv units; NaN = missing, as in the others
-  core::signal::Samples sp;     ///< pv units; empty = not recorded, or it never moves
+  core::plant::ErrorAbout about = core::plant::ErrorAbout::setpoint;
+  core::signal::Samples sp;  ///< pv units; empty = not recorded, or it never moves
   core::signal::Samples pv;
   core::signal::Samples op;  ///< %, or op units; empty = not recorded
 };

@@ -75,7 +75,7 @@ void PqConnection::run_by_row(const Statement& statement,
   start_pipeline(statement, parameters, ResultFormat::binary);
   std::size_t count = 0;
   std::exception_ptr thrown;
-  finish_pipeline([&](const PqRows& row) {
+  const PqRows last = finish_pipeline([&](const PqRows& row) {
     ++count;
     if (thrown) return;
     try {
@@ -86,6 +86,9 @@ void PqConnection::run_by_row(const Statement& statement,
     }
   });
   if (thrown) std::rethrow_exception(thrown);
+  // Behind the rows one by one stands an answer without any: another one would be rows that nobody
+  // took, or that of the check before them.
+  if (last.size() != 0) fail("the rows did not come one by one", "08P01");
   check_rows(statement, count);
   if (told_) told_();
 }

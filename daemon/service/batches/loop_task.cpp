@@ -218,7 +218,8 @@ void keep_error(const LoopTask& task, KeptErrors& errors) {
   // Of a window that was cut the error begins later.
   if (error.size() != window.size() || !errors.has_room()) return;
   errors.keep(task.claim->loop.loop_id, task.newest.at_slot.slot_end_us,
-              core::plant::PackedError(error, window.sample_interval_s, window.start_us));
+              core::plant::PackedError(error, window.sample_interval_s, window.start_us,
+                                       core::plant::error_about(task.newest.first.loop)));
 }
 
 }  // namespace loopscope::daemon

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "storage/timestamp.hpp"
 
@@ -168,7 +169,7 @@ std::vector<RawSeries> RowMemory::read_pieces(std::span<const TagRequest> reques
 
 void RowMemory::remember(const TagRequest& request, const RawSeries& rows) {
   KnownRows more = known_by(request, rows);
-  const auto [place, is_new] = known_.try_emplace({request.tag, request.mode}, more);
+  const auto [place, is_new] = known_.try_emplace({request.tag, request.mode}, std::move(more));
   if (!is_new && meet(place->second, more)) place->second = united(place->second, more);
 }
 

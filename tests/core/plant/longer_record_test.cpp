@@ -42,6 +42,28 @@ TEST(LongerRecord, IsTheMeansOfTheWhole) {
   EXPECT_DOUBLE_EQ(longer.sample_interval_s(), 8.0 * kInterval_s);
 }
 
+TEST(LongerRecord, IsTheMeansOfTheWholeForARecordOfAnyLength) {
+  const signal::Samples all = swing(4096);
+  const std::span<const double> values(all);
+  for (const std::size_t count : {5U, 509U, 512U, 515U}) {
+    const std::size_t before = all.size() - count;
+    const PackedError record(values.last(count), kInterval_s,
+                             kStart_us + static_cast<std::int64_t>(before) * kInterval_us);
+    // What is read ends within the record.
+    const std::int64_t read_us = end_of_earlier(record, kOf) - kStart_us;
+    ASSERT_EQ(read_us % kInterval_us, 0);
+    const auto read = static_cast<std::size_t>(read_us / kInterval_us) + 1;
+    ASSERT_LE(read, all.size());
+    const signal::Samples found = longer_record({means_of(values.first(read), kOf),
+                                                 start_of_means(kStart_us, read, kOf, kInterval_s)},
+                                                record, kOf)
+                                      .unpacked();
+    const signal::Samples expected = means_of(all, kOf);
+    ASSERT_EQ(found.size(), expected.size()) << count;
+    for (std::size_t k = 0; k < found.size(); ++k) EXPECT_NEAR(found[k], expected[k], 1e-4);
+  }
+}
+
 TEST(LongerRecord, StandsStampsOfOtherPhase) {
   const signal::Samples all = swing(4096);
   for (const std::int64_t late_us : {-kInterval_us / 2, kInterval_us / 2})

@@ -36,6 +36,15 @@ TEST(PackedError, IsWithinHalfAStepOfItsRangeAndMissesWhatWasMissing) {
     }
 }
 
+TEST(PackedError, AMeanIsTheLoopsOwnWhereNoSetpointIsKnown) {
+  signal::PreparedLoop loop;
+  loop.sp.assign(4, kMissing);
+  EXPECT_EQ(error_about(loop), ErrorAbout::own_mean);
+  EXPECT_EQ(PackedError(loop.sp, 1.0, 0, error_about(loop)).about(), ErrorAbout::own_mean);
+  loop.sp[2] = 1.0;
+  EXPECT_EQ(error_about(loop), ErrorAbout::setpoint);
+}
+
 TEST(PackedError, ConstantsEmptyOnesAndLargeNumbersStayWhatTheyAre) {
   EXPECT_TRUE(PackedError({}, 1.0, 0).empty());
   EXPECT_EQ(PackedError(std::vector(3, 4.5), 1.0, 0).unpacked(), signal::Samples(3, 4.5));
