@@ -28,6 +28,7 @@ std::int64_t start_of_means(std::int64_t start_us, std::size_t samples, std::siz
 }
 
 std::int64_t end_of_earlier(const PackedError& record, std::size_t of) {
+  // Rows of archives that compress lie tens to a few hundred samples apart.
   constexpr std::size_t kShared = 256;
   const std::size_t means = std::min(kShared, record.size()) / of;
   const std::size_t samples = record.size() % of + means * of;

@@ -25,8 +25,8 @@ struct EarlierMeans {
 };
 
 /// Microseconds UTC since 1970: where earlier samples are to end, so that their means of `of` are
-/// in the record's phase and rows that lie far apart are connected across its beginning (some
-/// hundred samples, or all of a shorter record).
+/// in the record's phase and rows that lie far apart are connected across its beginning (256
+/// samples at most; `record` is not empty).
 [[nodiscard]] std::int64_t end_of_earlier(const PackedError& record, std::size_t of);
 
 /// Those and the means of the record itself, `of` samples each, as one: what is known of the record

@@ -169,6 +169,7 @@ std::vector<RawSeries> RowMemory::read_pieces(std::span<const TagRequest> reques
 
 void RowMemory::remember(const TagRequest& request, const RawSeries& rows) {
   KnownRows more = known_by(request, rows);
+  // Moved only where the key is new.
   const auto [place, is_new] = known_.try_emplace({request.tag, request.mode}, std::move(more));
   if (!is_new && meet(place->second, more)) place->second = united(place->second, more);
 }

@@ -57,6 +57,36 @@ TEST(SpectralLine, SmoothSpectraShowNone) {
   EXPECT_LE(significant, 3) << "of " << records;
 }
 
+/// With a largest p of 1 the law of every place is evaluated, with a small one only where it may
+/// matter.
+TEST(SpectralLine, ALargestPLeavesTheMoreSignificantLinesAsTheyAre) {
+  std::mt19937_64 random(43);
+  std::size_t left = 0, left_out = 0;
+  for (int k = 0; k < 40; ++k) {
+    for (const std::vector<double>& error :
+         {filtered(0.9, 0.0, random), resonance(0.02, 40.0, random),
+          resonance(0.08, 150.0, random)}) {
+      const LineSpectrum spectrum(error, 1.0);
+      const std::vector<SpectralLine> all = spectrum.lines(1.0);
+      for (const double largest_p : {1e-2, 1e-6}) {
+        const std::vector<SpectralLine> found = spectrum.lines(largest_p);
+        ASSERT_LE(found.size(), all.size());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+          const bool significant = all[i].p <= spectrum.bands() * largest_p && all[i].p < 1.0;
+          (significant ? left : left_out) += 1;
+          if (!significant) continue;
+          ASSERT_LT(i, found.size());
+          EXPECT_EQ(found[i].frequency_hz, all[i].frequency_hz);
+          EXPECT_EQ(found[i].p, all[i].p);
+          EXPECT_EQ(found[i].height, all[i].height);
+        }
+      }
+    }
+  }
+  EXPECT_GT(left, 50U);
+  EXPECT_GT(left_out, 50U);
+}
+
 TEST(SpectralLine, LimitCyclesThatWanderShowOne) {
   std::mt19937_64 random(42);
   int found = 0;
